@@ -44,7 +44,7 @@ void Deadline::look(std::uint64_t work) {
   at->work_ += work;
   if (at->work_ < kWorkOfLook) return;
   at->work_ = 0;
-  // A thread uses at most a second of its processor in each second of the machine.
+  // A thread cannot use more processor time than passes on the clock of the machine.
   const double now = machine_seconds();
   if (now < at->earliest_) return;
   const double left = at->end_ - thread_seconds();

@@ -10,8 +10,7 @@
 
 namespace smurf {
 
-/// The values that were used last, by name: those of the last `kMost` names for certain, and of at
-/// most twice as many.
+/// Keeps the values of the `kMost` names that were used last, and of at most twice as many names.
 /// A search through a data set asks about a file a few times in a row, and then never again.
 template <class Value>
 class RecentMap {

@@ -27,7 +27,8 @@ std::string_view text_of(yaml::View value) {
   return value && value.is_scalar() ? value.text() : std::string_view();
 }
 
-/// What the controller commands: "position", "velocity", "effort", the best first.
+/// The interfaces that the controller commands, of "position", "velocity" and "effort", in this
+/// order, which is that of preference.
 std::vector<std::string_view> interfaces_of(const RosController& controller) {
   const std::string_view type = text_of(controller.type);
   std::vector<std::string_view> written;
@@ -85,8 +86,8 @@ std::vector<Claim> claims_of(const RosController& controller) {
   return claims;
 }
 
-/// A joint by its name in a file of controllers, which may begin with `$(var prefix)`: an argument
-/// of launch files that is usually empty. Null if there is none.
+/// Finds a joint by its name in a file of controllers. The name may begin with `$(var prefix)`, a
+/// launch argument that is usually empty. Null if there is no such joint.
 const urdf::Joint* joint_named(const LinkedModel& model, std::string_view name) {
   if (const urdf::Joint* joint = model.find_joint(name)) return joint;
   if (!is_placeholder(name) || name.empty()) return nullptr;
@@ -254,7 +255,7 @@ class Chooser {
   bool has_found_joints_ = false;
 };
 
-/// For reading files whose findings are those of smurf-lint.
+/// A context for reading files without reporting what is wrong in them: smurf-lint does that.
 LoadContext quiet_context(const LoadContext& context, DiagnosticSink& quiet) {
   LoadContext own{context.sources,  context.files,           quiet,  context.limits,
                   context.packages, context.package_folders, nullptr};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What MuJoCo does as it is written, and the author hardly meant.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <numbers>
 #include <set>
 #include <string>
@@ -92,20 +92,52 @@ void report_units(const Model& model, const ModelFile& file, Reporter& reporter)
             "\"/>` if all angles of the file are in " + (is_degree ? "radians" : "degrees"));
 }
 
-/// Whether MuJoCo may let two shapes touch.
-bool may_touch(std::int64_t contype, std::int64_t conaffinity, std::int64_t other_contype,
-               std::int64_t other_conaffinity) {
-  return (contype & other_conaffinity) != 0 || (other_contype & conaffinity) != 0;
-}
+/// The bodies whose shapes have a bit. Two shapes of one body never touch.
+class BodiesByBit {
+ public:
+  void add(std::int64_t bits, const Body& body) {
+    for_each_bit(bits, [&](std::size_t bit) {
+      Bodies& bodies = bodies_[bit];
+      if (bodies.first == nullptr) bodies.first = &body;
+      bodies.has_others = bodies.has_others || bodies.first != &body;
+    });
+  }
 
-/// Bits for contacts which no other shape has.
+  bool have_any(std::int64_t bits, const Body& besides) const {
+    bool has_one = false;
+    for_each_bit(bits, [&](std::size_t bit) {
+      const Bodies& bodies = bodies_[bit];
+      const bool is_elsewhere = bodies.first != nullptr && bodies.first != &besides;
+      has_one = has_one || bodies.has_others || is_elsewhere;
+    });
+    return has_one;
+  }
+
+ private:
+  static constexpr std::size_t kBits = 64;
+  struct Bodies {
+    const Body* first = nullptr;
+    bool has_others = false;
+  };
+
+  template <class F>
+  static void for_each_bit(std::int64_t bits, const F& visit) {
+    for (std::size_t bit = 0; bit < kBits; ++bit) {
+      if ((static_cast<std::uint64_t>(bits) >> bit & 1U) != 0) visit(bit);
+    }
+  }
+
+  std::array<Bodies, kBits> bodies_{};
+};
+
+/// Shapes with bits for contacts which no shape of another body has.
 void report_hidden_shapes(const Model& model, Reporter& reporter) {
-  // With the bodies that have them: two shapes of a body never touch.
-  std::map<std::pair<std::int64_t, std::int64_t>, std::set<const Body*>> bits;
+  BodiesByBit contypes, conaffinities;
   std::set<std::string_view> paired;
   for (const Body& body : model.bodies) {
     for (const Geom& geom : body.geoms) {
-      if (touches(geom)) bits[{geom.contype, geom.conaffinity}].insert(&body);
+      contypes.add(geom.contype, body);
+      conaffinities.add(geom.conaffinity, body);
     }
   }
   for (const Reference& one : model.sections) {
@@ -116,12 +148,9 @@ void report_hidden_shapes(const Model& model, Reporter& reporter) {
   }
   const auto is_hidden = [&](const Body& body, const Geom& geom) {
     // A floor of another file has the bits that MuJoCo gives without any.
-    if (!touches(geom) || may_touch(geom.contype, geom.conaffinity, 1, 1)) return false;
-    return std::none_of(bits.begin(), bits.end(), [&](const auto& other) {
-      const auto& [contype, conaffinity] = other.first;
-      const bool is_elsewhere = other.second.size() > 1 || !other.second.contains(&body);
-      return is_elsewhere && may_touch(geom.contype, geom.conaffinity, contype, conaffinity);
-    });
+    const bool meets_floor = ((geom.contype | geom.conaffinity) & 1) != 0;
+    return touches(geom) && !meets_floor && !conaffinities.have_any(geom.contype, body) &&
+           !contypes.have_any(geom.conaffinity, body);
   };
   const Geom* first = nullptr;
   std::size_t count = 0;

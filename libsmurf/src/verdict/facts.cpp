@@ -37,7 +37,8 @@ bool is_about_expansion(const Rule& rule) { return rule.id.starts_with("SML33");
 constexpr Fact kReadsFileItself{.makes = "reads the file itself, and no URDF of it",
                                 .evidence = "MuJoCo 4.0.0 and libsdformat 12, run"};
 
-/// Whether a finding is about the URDF of a file that this reader reads in its own language.
+/// Whether a finding is about the URDF that was made of an MJCF or SDF file, while this reader
+/// reads the file directly.
 bool is_beside(const Reader& reader, const Rule& rule, const Circumstances& where) {
   for (const auto& [language, native] : {std::pair{&cases::kOfMjcf, &readers::mujoco},
                                          std::pair{&cases::kOfSdf, &readers::gazebo}}) {

@@ -264,12 +264,17 @@ bool is_broken_yaml(std::string_view text, const std::optional<yaml::Document>& 
   return (!document || is_broken(found)) && !may_become_yaml(text);
 }
 
-void report_broken_yaml(const Diagnostic& finding, DiagnosticSink& sink) {
+Diagnostic& report_of_yaml(const Diagnostic& finding, DiagnosticSink& sink) {
   Diagnostic& reported = sink.report(*finding.rule, finding.span, finding.message);
   reported.caret = finding.caret;
   reported.labels = finding.labels;
   reported.help_text = finding.help_text;
-  reported.note("the program of ROS that reads this file ends: nothing in it takes effect");
+  return reported;
+}
+
+void report_broken_yaml(const Diagnostic& finding, DiagnosticSink& sink) {
+  report_of_yaml(finding, sink)
+      .note("the program of ROS that reads this file ends: nothing in it takes effect");
 }
 
 Recognised recognise(std::string_view path, std::string_view text,

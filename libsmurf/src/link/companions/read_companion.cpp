@@ -88,10 +88,7 @@ void CompanionReader::read_parameters(const std::string& path, Companion& compan
       report_broken_yaml(one, context_.sink);
       continue;
     }
-    Diagnostic& reported = context_.sink.report(*one.rule, one.span, one.message);
-    reported.caret = one.caret;
-    reported.labels = one.labels;
-    reported.help_text = one.help_text;
+    Diagnostic& reported = report_of_yaml(one, context_.sink);
     reported.severity = Severity::warning;
     reported.note("ROS uses the last value, and ignores the others without a message");
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cmath>
-#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,19 +39,29 @@ bool are_exchanged(std::string_view left, std::string_view right) {
   return ranges::contains(right_names_of(right), std::string(left));
 }
 
-/// The axis in the frame of the root, while all joints are at zero.
-std::optional<Vector3> axis_of(const LinkedModel& model, std::string_view name) {
-  const auto index = model.joint_index(name);
-  if (!index) return std::nullopt;
-  const auto child = model.tree.joint_child[to_size(*index)];
-  if (!child) return std::nullopt;
-  const auto poses = forward_kinematics(model, {});
-  const auto& pose = poses[to_size(*child)];
-  const Vector3 axis = model.joint(*index).axis.value_or({1, 0, 0});
-  const double length = std::sqrt(dot(axis, axis));
-  if (!pose || !(length > 0)) return std::nullopt;
-  return rotate(pose->orientation, {axis[0] / length, axis[1] / length, axis[2] / length});
-}
+/// The axes of joints in the frame of the root, while all joints are at zero.
+class Axes {
+ public:
+  explicit Axes(const LinkedModel& model) : model_(model) {}
+
+  std::optional<Vector3> of(std::string_view name) {
+    const auto index = model_.joint_index(name);
+    if (!index) return std::nullopt;
+    const auto child = model_.tree.joint_child[to_size(*index)];
+    if (!child) return std::nullopt;
+    if (!poses_) poses_ = forward_kinematics(model_, {});
+    const auto& pose = (*poses_)[to_size(*child)];
+    const Vector3 axis = model_.joint(*index).axis.value_or({1, 0, 0});
+    const double length = std::sqrt(dot(axis, axis));
+    if (!pose || !(length > 0)) return std::nullopt;
+    return rotate(pose->orientation, {axis[0] / length, axis[1] / length, axis[2] / length});
+  }
+
+ private:
+  const LinkedModel& model_;
+  std::optional<std::vector<std::optional<Pose>>>
+      poses_;  ///< few robots have such wheels, and some have many
+};
 
 /// The name of a joint, where somebody gives it to one side.
 struct Wheel {
@@ -60,11 +70,11 @@ struct Wheel {
 };
 
 /// `drive`: what gives both wheels the same sign, "the plugin".
-void check_axes(const LinkedModel& model, const Wheel& left, const Wheel& right,
-                const std::string& drive, Findings& findings) {
+void check_axes(Axes& axes, const Wheel& left, const Wheel& right, const std::string& drive,
+                Findings& findings) {
   constexpr double kOpposite = -0.9;  // cosine
-  const auto a = axis_of(model, left.name);
-  const auto b = axis_of(model, right.name);
+  const auto a = axes.of(left.name);
+  const auto b = axes.of(right.name);
   if (!a || !b || dot(*a, *b) > kOpposite) return;
   findings
       .report(left.place, "the axes of the wheel joints " + quoted(left.name) + " and " +
@@ -74,11 +84,11 @@ void check_axes(const LinkedModel& model, const Wheel& left, const Wheel& right,
             " gives both the same sign to drive straight, and the robot would turn");
 }
 
-void check_pair(const LinkedModel& model, xml::View left, xml::View right, Findings& findings) {
+void check_pair(Axes& axes, xml::View left, xml::View right, Findings& findings) {
   const Wheel one{trimmed(left.text()), left.text_span()};
   const Wheel other{trimmed(right.text()), right.text_span()};
   if (!are_exchanged(one.name, other.name)) {
-    return check_axes(model, one, other, "the plugin", findings);
+    return check_axes(axes, one, other, "the plugin", findings);
   }
   if (left.name() == "left_joint") return;  // SML3903
   findings
@@ -91,37 +101,39 @@ void check_pair(const LinkedModel& model, xml::View left, xml::View right, Findi
 /// The wheels of a differential drive of ros2_controllers.
 void check_controllers(const LinkedModel& model, const Companions& companions, Findings& findings) {
   if (!model.robot) return;
+  Axes axes(model);
   for_each_controller_file(companions, [&](const ControllerFile& file) {
     for (const RosController& one : file.controllers) {
       if (one.known == nullptr || one.known->name != "diff_drive_controller/DiffDriveController")
         continue;
       const auto left = one.list("left_wheel_names"), right = one.list("right_wheel_names");
       for (std::size_t i = 0; i < std::min(left.size(), right.size()); ++i) {
-        check_axes(model, {left[i].text(), left[i].span()}, {right[i].text(), right[i].span()},
+        check_axes(axes, {left[i].text(), left[i].span()}, {right[i].text(), right[i].span()},
                    "the controller", findings);
       }
     }
   });
 }
 
-void find_plugins(const LinkedModel& model, xml::View element, Findings& findings) {
+void find_plugins(Axes& axes, xml::View element, Findings& findings) {
   for (const xml::View child : element) {
     if (child.name() != "plugin") {
-      find_plugins(model, child, findings);
+      find_plugins(axes, child, findings);
       continue;
     }
     const Wheels wheels = wheels_of(child);
     for (std::size_t i = 0; i < std::min(wheels.left.size(), wheels.right.size()); ++i) {
-      check_pair(model, wheels.left[i], wheels.right[i], findings);
+      check_pair(axes, wheels.left[i], wheels.right[i], findings);
     }
   }
 }
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
+  Axes axes(model);
   for (const xml::ElementId id : model.robot->extensions) {
     const xml::View gazebo(model.robot->document, id);
-    if (gazebo.name() == "gazebo") find_plugins(model, gazebo, findings);
+    if (gazebo.name() == "gazebo") find_plugins(axes, gazebo, findings);
   }
 }
 
