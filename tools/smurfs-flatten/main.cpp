@@ -433,6 +433,9 @@ int smurfs_flatten_main(int argc, char** argv) {
   if (!loaded) return conversion.fail();
   const bool has_file = !options.controllers.empty() && options.controllers != kNoControllers;
   if (has_file && !conversion.allow(options.controllers)) return conversion.fail();
+  if (!options.srdf.empty() && !conversion.load_srdf(options.srdf, *loaded)) {
+    return conversion.fail();
+  }
   SceneResult result;
   if (options.compare_dialects || !options.explained.empty()) {
     SceneCheck check = check_scene(conversion.session(), *loaded, options.common.force);

@@ -259,7 +259,7 @@ ExitCode convert(Conversion& conversion, const Options& options) {
   }
   std::optional<xml::Document> srdf;
   if (!options.srdf.empty()) {
-    srdf = conversion.load_xml(options.srdf, *loaded);
+    srdf = conversion.load_srdf(options.srdf, *loaded);
     if (!srdf) return conversion.fail();
   }
   const std::string folder = folder_of(options, model);

@@ -39,6 +39,10 @@ bool may_be_imported(std::string_view path);
 /// Whether a text is a robot or a world in one of them, by its root element.
 bool is_imported(std::string_view text);
 
+/// The name of a robot that standard input holds, as its root element asks for: "stdin.urdf",
+/// ".urdf.xacro", ".xml" (MJCF) or ".sdf". "" for a text that is no XML.
+std::string standard_input_name(std::string_view text);
+
 /// "no .smurf, .smurfs, .smurfa, .urdf or .xacro file in 'robots' (2 left out)",
 /// and a note on others.
 std::string why_nothing(const FoundInputs& found, const std::string& folder);

@@ -36,11 +36,13 @@ std::string_view name_at(std::string_view text) {
 
 }  // namespace
 
-std::string_view root_name(std::string_view text) {
+std::string_view root_tag(std::string_view text) {
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   to_element(text);
-  return name_at(text);
+  return text.substr(0, text.find('>'));
 }
+
+std::string_view root_name(std::string_view text) { return name_at(root_tag(text)); }
 
 std::string_view first_name(std::string_view text) {
   to_element(text);

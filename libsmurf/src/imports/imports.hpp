@@ -45,6 +45,8 @@ bool is_made(const xacro::Expansion& result, Span part);
 
 /// The name of the root element of a text; "" if there is none. Reads the beginning only.
 std::string_view root_name(std::string_view text);
+/// The start tag of the root element, from its name to before its ">"; "" if there is none.
+std::string_view root_tag(std::string_view text);
 /// The name of the first element in the root element.
 std::string_view first_name(std::string_view text);
 

@@ -5,12 +5,15 @@
 #include <set>
 
 #include "base/files/path.hpp"
+#include "base/files/standard_input.hpp"
 #include "base/findings/cases.hpp"
 #include "base/text/words.hpp"
+#include "imports/imports.hpp"
 #include "mjcf/mjcf.hpp"
 #include "sdf/sdf.hpp"
 #include "smurf/companions.hpp"
 #include "smurf/found_inputs.hpp"
+#include "smurf/source.hpp"
 
 namespace smurf {
 namespace {
@@ -45,6 +48,17 @@ bool is_imported(std::string_view text) {
 
 const Circumstance* language_of_import(std::string_view text) {
   return mjcf::is_mjcf(text) ? &cases::kOfMjcf : sdformat::is_sdf(text) ? &cases::kOfSdf : nullptr;
+}
+
+std::string standard_input_name(std::string_view text) {
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos || text[first] != '<') return {};
+  const std::string name(kStandardInput);
+  if (mjcf::is_mjcf(text)) return name + ".xml";
+  if (sdformat::is_sdf(text)) return name + ".sdf";
+  const bool is_xacro = imports::root_tag(text).find("xmlns:xacro") != std::string_view::npos;
+  return name + (is_xacro ? ".urdf.xacro" : ".urdf");
 }
 
 std::vector<std::string> imported_robots(const std::vector<std::string>& files,

@@ -2,7 +2,9 @@
 #include "common/convert/converter.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <map>
+#include <string_view>
 #include <utility>
 
 #include "base/files/path.hpp"
@@ -156,12 +158,26 @@ bool Conversion::allow(const std::string& path) {
   return !reason;
 }
 
-std::optional<xml::Document> Conversion::load_xml(const std::string& path, Loaded& beside) {
+std::optional<xml::Document> Conversion::load_srdf(const std::string& path, Loaded& beside) {
   if (!allow(path)) return std::nullopt;
   LoadContext loading = session_.context_of(beside);
   auto document = smurf::load_xml(path, loading);
-  if (!document) complain(tool_, "'" + path + "' is not well-formed XML");
-  return document;
+  if (!document) {
+    const std::deque<Diagnostic>& found = beside.found.diagnostics();
+    const bool is_told = !found.empty() && beside.sources->path(found.back().span.source) == path;
+    complain(tool_, "'" + path + "' is not well-formed XML" +
+                        (is_told ? ": line " + std::to_string(beside.sources->line_of(
+                                                   found.back().span.source,
+                                                   found.back().span.begin)) +
+                                       ": " + found.back().message
+                                 : ""));
+    return std::nullopt;
+  }
+  const std::string_view root = document->view().name();
+  if (root == "robot") return document;
+  complain(tool_, "'" + path + "' is no SRDF: its root element is '" + std::string(root) +
+                      "', not 'robot'");
+  return std::nullopt;
 }
 
 namespace {

@@ -65,8 +65,8 @@ class Conversion {
   /// Lets a file that the user named be read, wherever it is. If it cannot be read, reports this
   /// and returns false.
   bool allow(const std::string& path);
-  /// The path of a file beside the model.
-  std::optional<xml::Document> load_xml(const std::string& path, Loaded& beside);
+  /// An SRDF that the user named, wherever it is. If it cannot be read, or is none, reports this.
+  std::optional<xml::Document> load_srdf(const std::string& path, Loaded& beside);
 
   /// Reports the findings of a conversion. kFindings if one of them makes the result wrong, or
   /// reaches the threshold; why() returns the reason.

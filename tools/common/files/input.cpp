@@ -18,8 +18,6 @@
 namespace smurf::tools {
 namespace {
 
-constexpr std::string_view kXmlName = "stdin.urdf";
-
 /// 0 or an errno; EFBIG above `most` bytes.
 int read_all(std::string& text, std::uint64_t most) {
   std::array<char, 65536> buffer{};
@@ -31,12 +29,6 @@ int read_all(std::string& text, std::uint64_t most) {
     text.append(buffer.data(), static_cast<std::size_t>(count));
     if (text.size() > most) return EFBIG;
   }
-}
-
-bool is_xml(std::string_view text) {
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-  const std::size_t first = text.find_first_not_of(" \t\r\n");
-  return first != std::string_view::npos && text[first] == '<';
 }
 
 }  // namespace
@@ -52,7 +44,7 @@ std::optional<std::string> read_standard_input(std::string_view tool, const std:
     return std::nullopt;
   }
   std::string name = filename;
-  if (name.empty() && is_xml(text)) name = kXmlName;
+  if (name.empty()) name = standard_input_name(text);
   if (name.empty()) {
     complain(tool, "standard input is not XML; say what it is with --stdin-filename PATH");
     return std::nullopt;

@@ -2,6 +2,7 @@
 #include <set>
 #include <vector>
 
+#include "base/files/standard_input.hpp"
 #include "base/findings/limits.hpp"
 #include "base/findings/readers.hpp"
 #include "base/findings/uncertain.hpp"
@@ -12,9 +13,6 @@ namespace {
 
 constexpr Circumstance kEmptyCollada{"empty COLLADA"};
 constexpr Circumstance kEmptyObj{"empty OBJ"};
-
-/// The name that smurf-lint gives to a URDF from standard input.
-constexpr std::string_view kStandardInput = "stdin.urdf";
 
 Diagnostic& report(const MeshReference& reference, std::string_view what, Findings& findings) {
   Diagnostic& diagnostic =
@@ -105,7 +103,7 @@ void check(const LinkedModel& model, Findings& findings) {
       if (facts.format == MeshFormat::obj) diagnostic.when(kEmptyObj);
     }
   }
-  report_outside(outside, model.urdf_path == kStandardInput, findings);
+  report_outside(outside, is_standard_input(model.urdf_path), findings);
 }
 
 /// Of a mesh that was not looked at.
