@@ -23,6 +23,7 @@ class TargetTest(unittest.TestCase):
             done = subprocess.run([TOOL, name, "--format", "json", "--min-severity", "info", *options],
                                   capture_output=True, text=True, check=False, cwd=folder)
             report = json.loads(done.stdout)
+        self.assumptions = report["summary"].get("assumptions", [])
         verdicts = {name: one["verdict"] for name, one in report.get("targets", {}).items()}
         levels = {one["id"]: one["severity"] for one in report["diagnostics"]}
         return verdicts, levels
@@ -35,10 +36,14 @@ class TargetTest(unittest.TestCase):
     def test_mujoco_reads_it_itself(self):
         verdicts, levels = self.check("crate.xml", MJCF, "--target", "mujoco")
         self.assertEqual(verdicts, {"mujoco": "takes"})
+        self.assertEqual(self.assumptions, [])
         self.assertEqual(set(levels.values()), {"info"}, levels)
 
     def test_another_reads_the_urdf(self):
-        verdicts, levels = self.check("crate.xml", MJCF, "--target", "gazebo")
+        verdicts, levels = self.check("crate.xml", MJCF, "--target", "mujoco,gazebo,ros")
+        self.assertEqual(verdicts.pop("mujoco"), "takes")
+        verdicts.pop("ros")
+        self.assertEqual(self.assumptions, ["URDFs that smurf2urdf makes of MJCF files, for gazebo, ros"])
         self.assertEqual(verdicts, {"gazebo": "refuses"})
         self.assertEqual(levels["SML1303"], "error")
 

@@ -192,6 +192,18 @@ class Output(FlattenTest):
         self.write("box.obj", "v 0 0 0\n")
         self.expect_complaint("'box.obj' is not a model; name the .smurf or .urdf file that uses it", "box.obj")
 
+    def test_an_srdf_that_cannot_be_read_stops_it(self):
+        def complain(reason):
+            self.expect_complaint(reason, "models/box.urdf", "--format", "mjcf", "--srdf", "box.srdf")
+
+        complain("cannot read 'box.srdf': No such file or directory")
+        self.write("box.srdf", '<robot name="box">\n<disable_collisions')
+        complain("'box.srdf' is not well-formed XML: line 2: the start tag of `disable_collisions` is never closed by `>`")
+        self.write("box.srdf", "<sdf/>")
+        complain("'box.srdf' is no SRDF: its root element is 'sdf', not 'robot'")
+        self.write("box.srdf", '<robot name="box"/>')
+        self.run_tool("models/box.urdf", "--format", "mjcf", "--srdf", "box.srdf", "-o", "box.xml")
+
     def test_what_a_robot_loses_refuses_the_scene(self):
         """An unreadable value, a robot without a tree, or a named pose makes the result wrong; a motor does not."""
         self.write("models/box.smurf", "modelname: box\nfiles: [box.urdf, box_poses.yml, box_motors.yml]\n")

@@ -317,8 +317,11 @@ class Refusal(ImportTest):
         self.write("a.yml", "motors: []\n")
         self.expect_complaint("'a.yml' is not a URDF", "a.yml", "-o", "out")
         self.write("bad.srdf", "<robot>")
-        self.expect_complaint("'bad.srdf' is not well-formed XML", "in/urdf/arm.urdf", "-o", "out",
+        self.expect_complaint("'bad.srdf' is not well-formed XML: line 1: the file ends inside the element `robot`", "in/urdf/arm.urdf", "-o", "out",
                               "--srdf", "bad.srdf")
+        self.write("other.srdf", "<sdf><model/></sdf>")
+        self.expect_complaint("'other.srdf' is no SRDF: its root element is 'sdf', not 'robot'", "in/urdf/arm.urdf",
+                              "-o", "out", "--srdf", "other.srdf")
 
     def test_errors_and_missing_meshes(self):
         (self.folder / "in" / "meshes" / "forearm.obj").unlink()

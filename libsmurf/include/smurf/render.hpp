@@ -41,7 +41,8 @@ struct Summary {
   std::set<std::string> robots_of_srdfs = {};
   std::vector<NotCompared> not_compared = {};
   bool is_strict = false;  ///< each of these ends the run with a failure
-  /// Values that nobody gave: "`r.urdf.xacro` with `model:=mk3`, from `launch/d.launch.py`".
+  /// What a user did not ask for: "`r.urdf.xacro` with `model:=mk3`, from `launch/d.launch.py`";
+  /// "URDFs that smurf2urdf makes of MJCF files, for gazebo".
   std::set<std::string> assumptions = {};
   std::size_t links = 0;  ///< symbolic links that lead out of a folder, which were not followed
 };

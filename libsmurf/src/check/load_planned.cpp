@@ -10,6 +10,7 @@
 #include "link/imported_world.hpp"
 #include "link/surroundings/load_surroundings.hpp"
 #include "link/unused_meshes.hpp"
+#include "plan/imported_robots.hpp"
 #include "plan/launched_values.hpp"
 
 namespace smurf {
@@ -61,6 +62,10 @@ void PlannedLoader::load(const PlannedFile& planned, const FileReader& files, Me
     load_one_scene(planned, context, outcome);
   } else {
     load_one_robot(planned, context, outcome);
+  }
+  for (const auto& [source, expansion] : *context.expansions) {
+    const Circumstance* language = language_of_import(outcome.sources.text(expansion.root));
+    if (language != nullptr) outcome.notes.languages.insert(language);
   }
   if (!planned.is_named) calm_losses(outcome.judged.diagnostics);
   if (!settings.xacro.arguments.empty() || !group.config.xacro.empty()) {

@@ -10,6 +10,7 @@
 
 #include "base/files/canonical_paths.hpp"
 #include "base/files/path.hpp"
+#include "base/findings/cases.hpp"
 #include "base/findings/limits.hpp"
 #include "base/findings/rules.hpp"
 #include "check/given_arguments.hpp"
@@ -21,6 +22,7 @@
 #include "check/told_findings.hpp"
 #include "check/with_variants.hpp"
 #include "check/xacro_share.hpp"
+#include "verdict/targets.hpp"
 
 namespace smurf {
 namespace {
@@ -294,6 +296,20 @@ class Run {
     }
   }
 
+  /// Says for which targets not the file itself was judged.
+  void note_made_urdfs(const std::set<const Circumstance*>& languages) {
+    for (const Circumstance* language : languages) {
+      std::string names;
+      for (const Reader* target : targets_) {
+        if (reads_itself(*target, *language)) continue;
+        names += (names.empty() ? "" : ", ") + std::string(target->name);
+      }
+      if (names.empty()) continue;
+      const std::string name = language == &cases::kOfMjcf ? "MJCF" : "SDF";
+      assumptions_.insert("URDFs that smurf2urdf makes of " + name + " files, for " + names);
+    }
+  }
+
   void take(Outcome&& outcome, const PlannedFile& planned) {
     const Limits& limits = context_.check.limits;
     if (!has_room(outcome)) {
@@ -315,6 +331,7 @@ class Run {
     robots_of_srdfs_.merge(outcome.notes.robots_of_srdfs);
     if (!size_) size_ = outcome.notes.size;
     if (!outcome.notes.assumption.empty()) assumptions_.insert(outcome.notes.assumption);
+    note_made_urdfs(outcome.notes.languages);
     for (const auto& [file, one] : outcome.notes.rejected) seen_.add_rejected(file, one);
     if (!is_companion_path(planned.path) && (!outcome.models.empty() || !outcome.scenes.empty())) {
       given_.take(planned.path, planned.config, outcome.notes.arguments,

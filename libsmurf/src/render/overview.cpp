@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -25,8 +26,9 @@ namespace {
 
 constexpr std::size_t kMostOfRule = 3;  ///< kinds in a file
 constexpr std::size_t kMostOthers = 6;  ///< named after a finding that they repeat
-constexpr std::size_t kMostLines = 140;
-constexpr std::size_t kMostNames = 15;  ///< number of files listed by name only
+constexpr std::size_t kMostLines = 85;  ///< with the last finding and the summary, below 150
+constexpr std::size_t kSlack = 15;      ///< for the last findings of a file
+constexpr std::size_t kMostNames = 8;   ///< number of files listed by name only
 constexpr std::size_t kFewest = 3;      ///< fewer findings are shown instead of counted
 constexpr std::size_t kScreen = 8;      ///< findings that fit on about one screen
 constexpr std::size_t kOverviewColumns = 80;
@@ -74,6 +76,11 @@ class Overview {
       if (!options.shows_all && diagnostics.size() > kScreen) put_worst_first(sections);
       std::move(sections.begin(), sections.end(), std::back_inserter(sections_));
     });
+    if (!options.shows_all) {
+      for (const Section& section : sections_) {
+        for (const Kind& kind : kinds_of(section)) spread(kind);
+      }
+    }
     has_titles_ = std::any_of(sections_.begin(), sections_.end(), [&](const Section& section) {
       return path_of(section.file) != path_of(sections_.front().file);
     });
@@ -127,6 +134,33 @@ class Overview {
   struct Kind {
     std::vector<const Diagnostic*> findings;
   };
+  /// What findings of a kind have in common, in all files.
+  using Text = std::tuple<const Rule*, Severity, std::string, std::string_view>;
+  struct Spread {
+    std::vector<std::string_view> files;  ///< each once, in the order of the report
+    std::string_view told_in{};           ///< the file with the block; "": none yet
+  };
+
+  static Text text_of(const Diagnostic& one) {
+    return {one.rule, one.severity, without_numbers(without_names(one.message)), remedy_of(one)};
+  }
+  void spread(const Kind& kind) {
+    std::vector<std::string_view>& files = spread_[text_of(*kind.findings.front())].files;
+    const auto add = [&](std::string_view file) {
+      if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+    };
+    for (const Diagnostic* one : kind.findings) {
+      add(path_of(one->span.source));
+      for (const std::string_view file : repeated_[{one->rule, one->message}].files) add(file);
+    }
+  }
+  /// One block for all files, if there are so many that the report would repeat itself.
+  bool is_told(const Kind& kind) const {
+    const Diagnostic& one = *kind.findings.front();
+    const Spread& spread = spread_.at(text_of(one));
+    return spread.files.size() >= kFewest && !spread.told_in.empty() &&
+           spread.told_in != path_of(one.span.source);
+  }
 
   /// The number of findings and of kinds of a rule in a section.
   struct Tally {
@@ -187,8 +221,8 @@ class Overview {
     // Notes may say what is special about a finding, such as the variant of its robot. With another
     // remedy, a finding is another one. Advice without a fix is a guess, and guesses about one
     // fault would exclude each other: that of the first is shown.
-    using Text = std::tuple<const Rule*, std::string, std::string_view, std::vector<std::string>>;
-    std::map<Text, std::size_t> index;
+    using Key = std::tuple<const Rule*, std::string, std::string_view, std::vector<std::string>>;
+    std::map<Key, std::size_t> index;
     for (const Diagnostic* one : section.findings) {
       if (options_.shows_all) {
         kinds.push_back({{one}});
@@ -206,7 +240,8 @@ class Overview {
   }
 
   void add(const Section& section) {
-    const std::vector<Kind> kinds = kinds_of(section);
+    std::vector<Kind> kinds = kinds_of(section);
+    if (!options_.shows_all) std::erase_if(kinds, [&](const Kind& kind) { return is_told(kind); });
     std::map<std::string_view, Tally> of_rule;
     for (const Kind& kind : kinds) {
       Tally& tally = of_rule[kind.findings.front()->rule->id];
@@ -220,7 +255,8 @@ class Overview {
       const Diagnostic& one = *kind.findings.front();
       Tally& tally = of_rule[one.rule->id];
       const bool is_too_many = tally.shown >= kMostOfRule && tally.kinds >= kMostOfRule + kFewest;
-      is_too_long = is_too_long || (lines_ >= kMostLines && left >= kFewest);
+      is_too_long =
+          is_too_long || (lines_ >= kMostLines && left >= kFewest) || lines_ >= kMostLines + kSlack;
       const bool is_cut = !options_.shows_all && (is_too_many || is_too_long);
       --left;
       if (is_cut) continue;
@@ -270,8 +306,26 @@ class Overview {
                         0, kOverviewColumns);
   }
 
+  /// "... and the same in 31 more files: a.xacro, b.xacro and 29 more; --all shows them"
+  static std::string same_in_files(Spread& spread, std::string_view here) {
+    if (!spread.told_in.empty()) return {};
+    spread.told_in = here;
+    std::vector<std::string> names;
+    for (const std::string_view file : spread.files) {
+      if (names.size() == kFewest) break;
+      if (file != here) names.push_back(render::escape(file));
+    }
+    const std::size_t others = spread.files.size() - 1;
+    if (others > names.size()) names.push_back(std::to_string(others - names.size()) + " more");
+    return render::wrap("... and the same in " + counted(others, "more file") + ": " +
+                            render::enumerate(names) + "; --all shows them",
+                        0, kOverviewColumns);
+  }
+
   std::string same_elsewhere(const Diagnostic& one) {
     if (options_.shows_all) return {};
+    Spread& spread = spread_.at(text_of(one));
+    if (spread.files.size() >= kFewest) return same_in_files(spread, path_of(one.span.source));
     Repeated& repeated = repeated_[{one.rule, one.message}];
     if (repeated.files.size() > 1) {
       if (std::exchange(repeated.is_told, true)) return {};
@@ -304,6 +358,9 @@ class Overview {
     std::vector<std::vector<const Section*>> files;
     std::map<std::string_view, std::size_t> index;
     for (const Section& section : rest) {
+      const std::vector<Kind> kinds = kinds_of(section);
+      if (std::all_of(kinds.begin(), kinds.end(), [&](const Kind& one) { return is_told(one); }))
+        continue;
       const auto [place, is_new] = index.try_emplace(path_of(section.file), files.size());
       if (is_new) files.emplace_back();
       files[place->second].push_back(&section);
@@ -333,6 +390,7 @@ class Overview {
   std::optional<render::Causes> causes_;
   std::vector<Section> sections_;
   std::map<std::pair<const Rule*, std::string_view>, Repeated> repeated_;
+  std::map<Text, Spread> spread_;
   std::map<Place, std::vector<SourceId>> robots_at_;  ///< in their order
   std::map<std::pair<const Rule*, Circumstances>, Harm> harms_;
   bool has_titles_ = false;

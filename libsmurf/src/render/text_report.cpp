@@ -197,7 +197,7 @@ std::string robots_of_srdfs(const Summary& summary) {
   return text + (has_lone ? ", an SRDF without its robot" : "");
 }
 
-/// Values of arguments from launch files.
+/// Values of arguments from launch files, and what targets judge instead of a file.
 std::string assumptions(const Summary& summary) {
   constexpr std::size_t kMostShown = 6;
   std::string text;

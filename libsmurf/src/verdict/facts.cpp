@@ -40,12 +40,9 @@ constexpr Fact kReadsFileItself{.makes = "reads the file itself, and no URDF of 
 /// Whether a finding is about the URDF that was made of an MJCF or SDF file, while this reader
 /// reads the file directly.
 bool is_beside(const Reader& reader, const Rule& rule, const Circumstances& where) {
-  for (const auto& [language, native] : {std::pair{&cases::kOfMjcf, &readers::mujoco},
-                                         std::pair{&cases::kOfSdf, &readers::gazebo}}) {
-    if (!where.contains(*language)) continue;
-    for (const Reader* known = &reader; known != nullptr; known = known->like) {
-      if (known == native) return !is_taken_over(rule, *language);
-    }
+  for (const Circumstance* language : {&cases::kOfMjcf, &cases::kOfSdf}) {
+    if (where.contains(*language) && reads_itself(reader, *language))
+      return !is_taken_over(rule, *language);
   }
   return false;
 }
@@ -137,6 +134,14 @@ const Fact* find_fact(const Reader& reader, const Rule& rule, const Finding& fin
 }
 
 }  // namespace
+
+bool reads_itself(const Reader& reader, const Circumstance& language) {
+  const Reader& native = &language == &cases::kOfMjcf ? readers::mujoco : readers::gazebo;
+  for (const Reader* known = &reader; known != nullptr; known = known->like) {
+    if (known == &native) return true;
+  }
+  return false;
+}
 
 bool is_taken_over(const Rule& rule, const Circumstance& language) {
   // XML, colours, the files of meshes, the findings of the import itself.

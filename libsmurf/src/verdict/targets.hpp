@@ -17,6 +17,9 @@ inline constexpr Circumstance kExcused{"excused"};
 /// meshes and textures, and the contents of `<gazebo>` from SDF. `language`: cases::kOfMjcf or
 /// kOfSdf.
 bool is_taken_over(const Rule& rule, const Circumstance& language);
+/// Whether our facts about a reader are about files of such a language itself, and not about the
+/// URDF of it.
+bool reads_itself(const Reader& reader, const Circumstance& language);
 
 /// Sets severities, notes the effects on each target, and removes findings about other readers.
 void apply_targets(std::vector<Diagnostic>& diagnostics, std::span<const Reader* const> targets);
