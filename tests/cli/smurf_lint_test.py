@@ -108,7 +108,8 @@ class CalmReports(LintTest):
         self.assertEqual(severities, sorted(severities))
         self.assertEqual(severities[0], "error")
         self.assertNotIn("info", severities)
-        self.assertEqual(lines[0], "robot00_.urdf: 15 errors")
+        self.assertEqual(lines[0], "all 40 robots have errors (robot00_.urdf, robot01_.urdf, robot02_.urdf and 37")
+        self.assertEqual(lines[3], "robot00_.urdf: 15 errors")
         self.assertIn("`robot00_11`, `robot00_13` and 8 more in this file; --all shows them", lines)
         self.assertEqual(lines.count("... and the same in 39 more files: robot01_.urdf, robot02_.urdf, robot03_.urdf"), 2)
         self.assertIn("The most frequent findings:", lines)
@@ -163,7 +164,23 @@ class CalmReports(LintTest):
             self.write(f"a{i}.urdf", '<robot name="r"><link name="a"><inertial><mass value="-1"/><inertia ixx="1" ixy="0" '
                                      'ixz="0" iyy="1" iyz="0" izz="1"/></inertial></link></robot>')
         self.write("z.urdf", '<robot name="r"><link name="a"/><joint name="j" type="fixed"><parent link="a"/></joint></robot>')
-        self.assertTrue(self.expect(1, ".").stdout.startswith("z.urdf: "))
+        done = self.expect(1, ".").stdout
+        self.assertTrue(done.startswith("all 10 robots have errors (a0.urdf, a1.urdf, a2.urdf and 7 more)\n\nz.urdf: "), done)
+
+    def test_which_robots_are_fine_comes_first(self):
+        """What comments or a baseline suppress does not count."""
+        def first():
+            return " ".join(self.run_tool(".").stdout.split("\n\n")[0].split())
+
+        self.write_robot("a", 0)
+        self.write_robot("b", 0)
+        self.assertTrue(first().startswith("no findings"), first())
+        self.write_robot("c", 1)
+        self.write_robot("d", 2)
+        self.assertEqual(first(), "4 robots: 2 are fine (a.urdf and b.urdf), 1 has warnings (c.urdf), 1 has errors (d.urdf)")
+        self.run_tool("d.urdf", "--baseline", "known.yaml", "--generate-baseline")
+        self.assertEqual(" ".join(self.run_tool(".", "--baseline", "known.yaml").stdout.split("\n\n")[0].split()),
+                         "4 robots: 3 are fine (a.urdf, b.urdf and d.urdf), 1 has warnings (c.urdf)")
 
     def test_min_severity(self):
         self.write_robot("arm", 4)

@@ -53,6 +53,8 @@ Summary summarize(std::span<const Diagnostic> diagnostics);
 struct RobotAnswers {
   std::string path;             ///< as it was planned; of a xacro, with its arguments
   std::vector<Answer> answers;  ///< in the order of the targets
+  /// Of its findings in the report, also in files that it shares with other robots.
+  std::optional<Severity> worst = {};
 };
 
 /// The layout of text for a terminal.
@@ -93,6 +95,9 @@ std::string render_summary(const Summary& summary, const TextStyle& style);
 /// Two columns: whether each reader loads the files, and the first reason with its place.
 std::string render_targets(std::span<const TargetVerdict> targets, const SourceMap& sources,
                            const TextStyle& style);
+/// "33 robots: 30 are fine, 2 have warnings (a.urdf and b.urdf), 1 has errors (c.urdf)", and an
+/// empty line. Empty for fewer than two robots, and when all are fine.
+std::string render_fleet(std::span<const RobotAnswers> robots);
 /// A table of robots and targets, the robots at which most targets fail first, and for each target
 /// the number of robots that it loads. Empty for fewer than two robots, and when each target loads
 /// all of them without losses.

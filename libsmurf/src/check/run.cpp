@@ -5,7 +5,10 @@
 #include <atomic>
 #include <cstdint>
 #include <initializer_list>
+#include <map>
 #include <set>
+#include <string>
+#include <tuple>
 #include <utility>
 
 #include "base/files/canonical_paths.hpp"
@@ -116,6 +119,7 @@ class Run {
     report.summary.assumptions = std::move(assumptions_);
     report.summary.not_compared = seen_.not_compared(compared(), ties_of(memory_.groups));
     report.problems = plan.problems;
+    note_worst(report.diagnostics);
     report.robots = std::move(robots_);
     report.size = size_;
     report.is_stopped = is_stopped_ || is_cancelled_;
@@ -287,12 +291,33 @@ class Run {
     RobotAnswers& robot = robots_.emplace_back();
     const std::string shown = shown_arguments(planned);
     robot.path = planned.path + (shown.empty() ? "" : " " + shown);
+    std::vector<Found>& places = places_.emplace_back();
+    for (const Diagnostic& one : outcome.judged.diagnostics) {
+      places.emplace_back(one.rule, sources_.path(one.span.source), one.span.begin);
+    }
     if (targets_.empty()) return;
     const RuleSelection& selection = memory_.groups[planned.config].selection;
     const std::vector<Diagnostic> found =
         apply_selection(std::vector(outcome.judged.diagnostics), sources_, selection);
     for (const Reader* target : targets_) {
       robot.answers.push_back(judge_target(*target, found).answer());
+    }
+  }
+
+  /// Comments, a baseline and other robots with the same companions may have removed findings.
+  void note_worst(std::span<const Diagnostic> left) {
+    std::map<Found, Severity> severities;
+    for (const Diagnostic& one : left) {
+      const Found place{one.rule, sources_.path(one.span.source), one.span.begin};
+      Severity& severity = severities.try_emplace(place, one.severity).first->second;
+      severity = std::max(severity, one.severity);
+    }
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      for (const Found& place : places_[i]) {
+        const auto severity = severities.find(place);
+        if (severity == severities.end()) continue;
+        robots_[i].worst = std::max(robots_[i].worst.value_or(Severity::info), severity->second);
+      }
     }
   }
 
@@ -380,7 +405,10 @@ class Run {
   std::size_t expected_ = 0;
   std::vector<const Reader*> targets_;
   std::vector<RobotAnswers> robots_;
-  std::optional<RobotSize> size_;  ///< see Report
+  /// The rule, the path and the byte of a finding.
+  using Found = std::tuple<const Rule*, std::string, std::uint32_t>;
+  std::vector<std::vector<Found>> places_;  ///< of each robot
+  std::optional<RobotSize> size_;           ///< see Report
 };
 
 }  // namespace

@@ -31,7 +31,6 @@ constexpr std::size_t kSlack = 15;      ///< for the last findings of a file
 constexpr std::size_t kMostNames = 8;   ///< number of files listed by name only
 constexpr std::size_t kFewest = 3;      ///< fewer findings are shown instead of counted
 constexpr std::size_t kScreen = 8;      ///< findings that fit on about one screen
-constexpr std::size_t kOverviewColumns = 80;
 
 /// Rules about xacro, and about the files around a robot.
 bool is_often_the_answer(const Rule& rule) {
@@ -303,7 +302,7 @@ class Overview {
     return render::wrap("... and the same " + std::string(where) + render::enumerate(others) +
                             (are_named ? " in this file" : "") + "; --all shows " +
                             (kind.findings.size() == 2 ? "it" : "them"),
-                        0, kOverviewColumns);
+                        0, render::kColumns);
   }
 
   /// "... and the same in 31 more files: a.xacro, b.xacro and 29 more; --all shows them"
@@ -319,7 +318,7 @@ class Overview {
     if (others > names.size()) names.push_back(std::to_string(others - names.size()) + " more");
     return render::wrap("... and the same in " + counted(others, "more file") + ": " +
                             render::enumerate(names) + "; --all shows them",
-                        0, kOverviewColumns);
+                        0, render::kColumns);
   }
 
   std::string same_elsewhere(const Diagnostic& one) {
@@ -349,7 +348,7 @@ class Overview {
     if (text.empty()) return text;
     const std::string_view them = count == 1 ? "it" : "them";
     return render::wrap(text + " in this file; --all shows " + std::string(them), 0,
-                        kOverviewColumns) +
+                        render::kColumns) +
            "\n";
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which of several robots load in which program.
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -9,6 +10,7 @@
 #include "base/text/counted.hpp"
 #include "render/paint.hpp"
 #include "render/printable.hpp"
+#include "render/wrap.hpp"
 #include "smurf/render.hpp"
 
 namespace smurf {
@@ -96,6 +98,42 @@ std::string end_of_path(const std::string& path, std::size_t columns) {
 }
 
 }  // namespace
+
+std::string render_fleet(std::span<const RobotAnswers> robots) {
+  constexpr std::size_t kMostNamed = 3;
+  if (robots.size() < 2) return {};
+  std::string text;
+  bool are_all_fine = false;
+  const auto add = [&](std::string_view one, std::string_view many, auto&& belongs) {
+    std::vector<std::string> names;
+    for (const RobotAnswers& robot : robots) {
+      if (belongs(robot)) names.push_back(render::escape(robot.path));
+    }
+    const std::size_t count = names.size();
+    if (count == 0) return;
+    std::sort(names.begin(), names.end());
+    if (count > kMostNamed) {
+      names.resize(kMostNamed);
+      names.push_back(std::to_string(count - kMostNamed) + " more");
+    }
+    const bool are_all = count == robots.size();
+    are_all_fine = are_all && text.empty() && many == "are fine";
+    text += are_all ? "all " + std::to_string(count) + " robots "
+            : text.empty()
+                ? std::to_string(robots.size()) + " robots: " + std::to_string(count) + " "
+                : ", " + std::to_string(count) + " ";
+    text += std::string(count == 1 ? one : many) + " (" + render::enumerate(names) + ")";
+  };
+  const auto worst_of = [](const RobotAnswers& robot) {
+    return robot.worst.value_or(Severity::info);
+  };
+  add("is fine", "are fine", [&](const auto& one) { return worst_of(one) == Severity::info; });
+  add("has warnings", "have warnings",
+      [&](const auto& one) { return worst_of(one) == Severity::warning; });
+  add("has errors", "have errors",
+      [&](const auto& one) { return worst_of(one) == Severity::error; });
+  return are_all_fine ? std::string() : render::wrap(text, 0, render::kColumns) + "\n";
+}
 
 std::string render_robots(std::span<const RobotAnswers> robots,
                           std::span<const TargetVerdict> targets, const TextStyle& style) {

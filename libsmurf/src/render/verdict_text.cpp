@@ -14,8 +14,6 @@ namespace {
 using render::Ink;
 using render::Painter;
 
-constexpr std::size_t kColumns = 80;
-
 /// The count " (2)", with the number of suppressed findings: " (2, 1 in the baseline)".
 std::string count_of(const TargetVerdict& target) {
   const std::size_t count = target.count(target.answer());
@@ -71,7 +69,8 @@ std::string render_targets(std::span<const TargetVerdict> targets, const SourceM
     const std::string_view name = target.reader->name;
     out += paint(Ink::strong, name) + std::string(indent - name.size(), ' ') +
            render::verdict_of(target, paint) + "\n";
-    if (target.fact != nullptr) out += render::wrap(reason_of(target, sources), indent, kColumns);
+    if (target.fact != nullptr)
+      out += render::wrap(reason_of(target, sources), indent, render::kColumns);
     for (const TargetVerdict* other : {find_earlier_release(target), find_other_release(target)}) {
       if (other == nullptr) continue;
       out += std::string(indent, ' ') + std::string(target.reader->releases.front()->name) +

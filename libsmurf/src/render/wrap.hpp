@@ -9,6 +9,9 @@
 
 namespace smurf::render {
 
+/// The width of sentences in reports, on terminals of any width.
+inline constexpr std::size_t kColumns = 80;
+
 /// Breaks the text at spaces into lines of at most `columns`, each indented by `indent` spaces; a
 /// longer word gets a separate line. Keeps line ends of the text. Ends with a line end.
 std::string wrap(std::string_view text, std::size_t indent, std::size_t columns);

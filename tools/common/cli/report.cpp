@@ -57,7 +57,8 @@ std::string full(const Results& results, const TextStyle& style) {
     out = render_statistics(results.diagnostics, style);
     if (!out.empty()) out += "\n";
   } else {
-    out = render_overview(results.diagnostics, results.sources, results.overview, style);
+    if (!results.quiet) out = render_fleet(results.robots);
+    out += render_overview(results.diagnostics, results.sources, results.overview, style);
   }
   if (results.quiet) return out;
   if (!results.counts_only) out += most_frequent(results, style);
