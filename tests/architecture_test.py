@@ -31,7 +31,7 @@ STAGES = {
     "readers": {"base", "ast", "link"},
     "lint": {"base", "verdict", "ast", "link", "readers"},
     "config": {"base", "syntax", "ast"},
-    "plan": {"base", "syntax", "xacro", "mjcf", "sdf", "ast", "link", "config"},
+    "plan": {"base", "syntax", "xacro", "imports", "mjcf", "sdf", "ast", "link", "config"},
     "check": {"base", "verdict", "syntax", "xacro", "imports", "link", "lint", "config", "plan"},
     "flatten": {"base", "syntax", "ast", "link"},
     "convert": {"base", "syntax", "ast", "link"},

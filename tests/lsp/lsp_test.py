@@ -627,6 +627,8 @@ class Names(LspTest):
                                 context={"includeDeclaration": True})
         self.assertLessEqual({srdf.name, "arm.urdf", "arm_collision.yml"},
                              {pathlib.Path(path_of(one["uri"])).name for one in places})
+        for attribute in ("link1", "link2"):
+            self.assertLessEqual({"turret", "upper_arm"}, set(self.labels(srdf, self.find(srdf, attribute) + 7)))
         edit = self.client.at("textDocument/rename", srdf, at, newName="waist")
         self.assertEqual(self.applied(srdf, edit), self.client.texts[str(srdf)].replace("joint1_waist", "waist"))
         changed = {pathlib.Path(path_of(one["textDocument"]["uri"])).name for one in edit["documentChanges"]}

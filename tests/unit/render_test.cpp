@@ -162,7 +162,7 @@ TEST_CASE("a verdict may be that it is not known, and says what was suppressed")
     return render_targets(std::vector{verdict}, SourceMap(), {});
   };
   CHECK(line({.unknown = 3, .losses = 1, .unknown_rules = {&kRule, &kOtherRule}}) ==
-        "abc  not known (3): SML3101, SML0011\n");
+        "abc  not known (3): SML3101 unknown-joint, SML0011 duplicate-key\n");
   CHECK(line({.refusals = 1, .unknown = 1, .in_baseline = 1}) ==
         "abc  fails to load (1, in the baseline)\n");
   CHECK(line({.refusals = 3, .ignored = 2, .in_baseline = 1}) ==

@@ -27,6 +27,9 @@ void add_likely_slip(const LinkedModel& model, const urdf::Link& link, Diagnosti
 std::string moments_of(const Tensor& tensor);
 /// The entries as written. Precondition: all are readable.
 Tensor tensor_of(const urdf::Inertial& inertial);
+/// The two products whose sign a mirror along an axis changes, as indices of a Tensor: xy and xz
+/// for x.
+inline constexpr std::size_t kMirroredProducts[3][2] = {{3, 4}, {3, 5}, {4, 5}};
 /// The tensor of the shapes of a link with its mass, in the frame of the inertial, about the centre
 /// of the shapes. None without shapes or mass.
 std::optional<Tensor> tensor_of_shapes(const LinkedModel& model, const urdf::Link& link);

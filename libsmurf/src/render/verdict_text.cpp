@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/text/counted.hpp"
 #include "render/printable.hpp"
 #include "render/wrap.hpp"
 #include "smurf/render.hpp"
@@ -50,10 +51,14 @@ std::string render::verdict_of(const TargetVerdict& target, const Painter& paint
   case Answer::refuses: return paint(Ink::error, "fails to load" + count_of(target));
   case Answer::unknown: break;
   }
+  constexpr std::size_t kMostRules = 2;  // a line has 80 columns
   std::string rules;
-  for (const Rule* rule : target.unknown_rules) {
-    rules += (rules.empty() ? ": " : ", ") + std::string(rule->id);
+  const std::size_t all = target.unknown_rules.size();
+  for (std::size_t i = 0; i < std::min(all, kMostRules); ++i) {
+    const Rule& rule = *target.unknown_rules[i];
+    rules.append(i == 0 ? ": " : ", ").append(rule.id).append(" ").append(rule.name);
   }
+  if (all > kMostRules) rules += " and " + counted(all - kMostRules, "more rule");
   return paint(Ink::warning, "not known" + count_of(target)) + rules;
 }
 
@@ -69,8 +74,11 @@ std::string render_targets(std::span<const TargetVerdict> targets, const SourceM
     const std::string_view name = target.reader->name;
     out += paint(Ink::strong, name) + std::string(indent - name.size(), ' ') +
            render::verdict_of(target, paint) + "\n";
-    if (target.fact != nullptr)
-      out += render::wrap(reason_of(target, sources), indent, render::kColumns);
+    if (target.fact != nullptr) {
+      const std::string_view besides = target.answer() == Answer::unknown ? "besides, " : "";
+      out +=
+          render::wrap(std::string(besides) + reason_of(target, sources), indent, render::kColumns);
+    }
     for (const TargetVerdict* other : {find_earlier_release(target), find_other_release(target)}) {
       if (other == nullptr) continue;
       out += std::string(indent, ' ') + std::string(target.reader->releases.front()->name) +

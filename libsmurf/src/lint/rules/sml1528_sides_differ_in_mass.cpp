@@ -7,8 +7,7 @@
 
 #include "base/numbers/numbers.hpp"
 #include "link/inertia.hpp"
-#include "lint/body.hpp"
-#include "lint/inertia_slips.hpp"
+#include "lint/copied_side.hpp"
 #include "lint/model_answers.hpp"
 #include "lint/odd_siblings.hpp"
 #include "lint/queries.hpp"
@@ -30,69 +29,22 @@ bool have_equal_values(const urdf::Inertial& a, const urdf::Inertial& b) {
          a.iyy.value() == b.iyy.value() && a.izz.value() == b.izz.value();
 }
 
-/// The index of the axis along which the shapes of two links are mirrored, if they are, and do not
-/// have their middle in the plane between.
-std::optional<std::size_t> mirrored_axis(const Extent& a, const Extent& b) {
-  constexpr double kSame = 0.02;  // of the longest edge
-  constexpr double kAside = 0.05;
-  const double edge = std::max(a.longest_edge(), b.longest_edge());
-  std::optional<std::size_t> axis;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double one = (a.low[i] + a.high[i]) / 2;
-    const double other = (b.low[i] + b.high[i]) / 2;
-    const double size = (a.high[i] - a.low[i]) - (b.high[i] - b.low[i]);
-    if (std::fabs(size) > kSame * edge) return std::nullopt;
-    if (std::fabs(one - other) <= kSame * edge) continue;
-    const bool is_mirrored =
-        std::fabs(one + other) <= kSame * edge && std::fabs(one) > kAside * edge;
-    if (!is_mirrored || axis) return std::nullopt;
-    axis = i;
-  }
-  return axis;
-}
-
-/// Where the shapes are mirrored, whether the centre of mass or the products of one side are those
-/// of the other one, with the same signs.
 bool report_copy(const LinkedModel& model, const urdf::Link& left, const urdf::Link& right,
                  Findings& findings) {
-  const std::optional<Extent>& a = findings.answers().extent(left);
-  const std::optional<Extent>& b = findings.answers().extent(right);
-  const auto axis = a && b ? mirrored_axis(*a, *b) : std::nullopt;
-  if (!axis) return false;
-  constexpr double kAside = 0.02;  // of the longest edge
-  const double least = kAside * a->longest_edge();
-  const Pose one = urdf::to_pose(left.inertial->origin);
-  const Pose other = urdf::to_pose(right.inertial->origin);
-  if (one.orientation != other.orientation) return false;
-  const bool is_center_copied = std::fabs(one.position[*axis]) > least &&
-                                std::fabs(one.position[*axis] - other.position[*axis]) < least / 10;
-  // Mirroring changes the sign of the products of this axis: x has xy and xz.
-  constexpr std::size_t kProducts[3][2] = {{3, 4}, {3, 5}, {4, 5}};
-  bool are_products_copied = false;
-  if (principal_moments(*left.inertial) && principal_moments(*right.inertial)) {
-    const Tensor of_left = tensor_of(*left.inertial);
-    const Tensor of_right = tensor_of(*right.inertial);
-    constexpr double kNoise = 0.02;  // of the sum of the moments
-    const double noise = kNoise * (of_left[0] + of_left[1] + of_left[2]);
-    for (const std::size_t i : kProducts[*axis]) {
-      const bool is_copied =
-          std::fabs(of_left[i]) > noise && std::fabs(of_left[i] - of_right[i]) < noise / 10;
-      are_products_copied = are_products_copied || is_copied;
-    }
-  }
-  if (!is_center_copied && !are_products_copied) return false;
-  const std::string what = is_center_copied ? "centre of mass" : "products of inertia";
+  const std::optional<CopiedSide> copied = copied_side(left, right, findings.answers());
+  if (!copied) return false;
+  const auto place = [&](const urdf::Inertial& inertial) {
+    return copied->is_center ? tag_name(model, inertial.element) : inertia_place(model, inertial);
+  };
   Diagnostic& finding =
       findings
-          .report(is_center_copied ? tag_name(model, right.inertial->element)
-                                   : inertia_place(model, *right.inertial),
+          .report(place(*right.inertial),
                   "the shapes of " + title(left) + " and " + title(right) +
-                      " are mirrored, but their " + what +
-                      (is_center_copied ? " is the same" : " have the same signs"))
-          .label(is_center_copied ? tag_name(model, left.inertial->element)
-                                  : inertia_place(model, *left.inertial),
-                 "the other side")
-          .help("change the sign of " + std::string(1, "xyz"[*axis]) +
+                      " are mirrored, but their " +
+                      (copied->is_center ? "centre of mass is the same"
+                                         : "products of inertia have the same signs"))
+          .label(place(*left.inertial), "the other side")
+          .help("change the sign of " + std::string(1, "xyz"[copied->axis]) +
                 " in the centre, and of the two products with it");
   finding.severity = Severity::warning;
   return true;
