@@ -84,6 +84,7 @@ extern constinit const Rule sml1607_mesh_absolute{
     .why = "The file is found on one machine only; elsewhere it is missing.",
     .remedy = "Write a path relative to the URDF, or package://.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .taken_over = TakenOver::always};
 
 }  // namespace smurf::rules::sml1607_mesh_absolute_file
