@@ -68,8 +68,9 @@ struct Copied {
 
 /// An expanded file.
 struct Expansion {
-  SourceId root{};    ///< the file that was expanded
-  SourceId source{};  ///< the result, a source of its own
+  SourceId root{};                      ///< the file that was expanded
+  Language language = Language::xacro;  ///< of that file
+  SourceId source{};                    ///< the result, a source of its own
   std::vector<Frame> frames;
   std::vector<Leaf> leaves;  ///< in the order of the result
   std::vector<Input> inputs;
@@ -114,7 +115,7 @@ Expansion expand(SourceId root, const Settings& settings, Context& context);
 /// "in `wheel`, called here with radius=0.1".
 std::string label_of(const Frame& frame);
 
-/// Whether a file is a xacro: by its name, or because its root declares the prefix.
+/// Whether a file is a xacro, by its name. Of a loaded model, ask LinkedModel::language.
 bool is_xacro_file(std::string_view path);
 
 }  // namespace smurf::xacro

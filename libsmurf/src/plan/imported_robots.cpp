@@ -5,7 +5,6 @@
 #include <set>
 
 #include "base/files/path.hpp"
-#include "base/findings/cases.hpp"
 #include "base/text/words.hpp"
 #include "mjcf/mjcf.hpp"
 #include "sdf/sdf.hpp"
@@ -41,10 +40,6 @@ bool may_be_imported(std::string_view path) {
 
 bool is_imported(std::string_view text) {
   return sdformat::is_sdf(text) || (mjcf::is_mjcf(text) && !mjcf::is_part(text));
-}
-
-const Circumstance* language_of_import(std::string_view text) {
-  return mjcf::is_mjcf(text) ? &cases::kOfMjcf : sdformat::is_sdf(text) ? &cases::kOfSdf : nullptr;
 }
 
 std::vector<std::string> imported_robots(const std::vector<std::string>& files,

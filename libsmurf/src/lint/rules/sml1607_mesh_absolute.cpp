@@ -6,7 +6,6 @@
 #include "lint/mesh_queries.hpp"
 #include "lint/ros_paths.hpp"
 #include "readers/circumstances.hpp"
-#include "smurf/xacro.hpp"
 
 namespace smurf::rules::sml1607_mesh_absolute_file {
 namespace {
@@ -24,7 +23,7 @@ void check(const LinkedModel& model, Findings& findings) {
     // What `$(find PACKAGE)` of a xacro stands for is in a package.
     const bool is_in_package = first.exists && !first.meant.empty();
     Diagnostic& diagnostic = findings.report(
-        first.span, is_in_package && xacro::is_xacro_file(model.urdf_path)
+        first.span, is_in_package && model.language == Language::xacro
                         ? "RViz and MoveIt do not open " + quoted(first.filename) +
                               ", which is a path and no address"
                         : "the path " + quoted(first.filename) + " exists on one machine only");
