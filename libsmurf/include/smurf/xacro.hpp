@@ -77,6 +77,7 @@ struct Expansion {
   std::vector<xml::Document> documents;  ///< of all files
   std::set<std::string> included;        ///< paths of all files that were read
   bool is_complete = false;              ///< false after a failure, which has been reported
+  std::string missing_argument;          ///< it failed because this one has no value
 
   const Frame& frame(FrameId id) const { return frames[static_cast<std::size_t>(id)]; }
   /// The place where a part of the result was written.
