@@ -133,6 +133,7 @@ PRIVATE_HEADERS_OF_TOOLS = {
     "base/deadline.hpp",
     "base/findings/limits.hpp",
     "base/numbers/numbers.hpp",
+    "base/files/descriptor.hpp",
     "base/files/path.hpp",
     "base/files/places.hpp",  # differences between systems are in this file
     "base/text/quoted.hpp",
