@@ -130,6 +130,7 @@ PRIVATE_HEADERS_OF_TOOLS = {
     "base/text/counted.hpp",
     "base/text/did_you_mean.hpp",
     "base/text/edits.hpp",
+    "base/text/lists.hpp",
     "base/deadline.hpp",
     "base/findings/limits.hpp",
     "base/numbers/numbers.hpp",

@@ -10,6 +10,7 @@
 #include "base/files/path.hpp"
 #include "base/findings/uncertain.hpp"
 #include "base/ranges.hpp"
+#include "base/text/lists.hpp"
 #include "base/text/quoted.hpp"
 #include "base/text/suggest.hpp"
 #include "base/text/words.hpp"
@@ -89,13 +90,10 @@ template <class Words>
 std::string some_of(const Words& known) {
   constexpr std::size_t kMostShown = 9;
   const std::size_t count = std::size(known);
-  std::string text;
-  for (std::size_t i = 0; i < std::min(count, kMostShown); ++i) {
-    if (i > 0) text += i + 1 == count ? " or " : ", ";
-    text += quoted(known[i]);
-  }
-  if (count <= kMostShown) return text;
-  return text + " or another of the " + std::to_string(count) + " that SDF has";
+  const std::span<const std::string_view> all(known);
+  if (count <= kMostShown) return enumerated(all_quoted(all), " or ");
+  return listed(all_quoted(all.first(kMostShown))) + " or another of the " + std::to_string(count) +
+         " that SDF has";
 }
 
 class Checker {
