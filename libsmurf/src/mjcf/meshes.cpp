@@ -11,6 +11,7 @@
 #include "base/numbers/little_endian.hpp"
 #include "base/numbers/vectors.hpp"
 #include "base/text/quoted.hpp"
+#include "mesh/quickhull.hpp"
 #include "mjcf/model.hpp"
 #include "smurf/mesh_triangles.hpp"
 
@@ -65,6 +66,24 @@ std::optional<Triangles> read_msh(std::string_view bytes) {
     }
     result.faces.push_back(face);
   }
+  return result;
+}
+
+/// The hull of points; empty if they lie in a plane.
+Triangles hull_of(std::vector<Vector3> points) {
+  double reach = 0;
+  for (const Vector3& point : points) {
+    for (const double x : point) reach = std::max(reach, std::fabs(x));
+  }
+  Triangles result;
+  // As exact as rounding errors let it be.
+  for (const double tolerance : {1e-10, 1e-9, 1e-8, 1e-7}) {
+    const auto faces = quickhull(points, tolerance * reach);
+    if (!faces) continue;
+    for (const HullFace& face : *faces) result.faces.push_back(face.corners);
+    break;
+  }
+  result.points = std::move(points);
   return result;
 }
 
