@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "smurf/convert.hpp"
+#include "syntax/xml_values.hpp"
 
 namespace smurf::import {
 
@@ -46,7 +47,6 @@ std::string texture_path(const UrdfImport& options, std::string_view path);
 std::string_view text_of(xml::View element);
 /// The text of a child; "" if it is absent.
 std::string_view child_text(xml::View element, std::string_view child);
-std::string_view attribute_of(xml::View element, std::string_view name);
 /// The robot's children of this name that URDF does not define.
 std::vector<xml::View> extensions_of(const Context& context, std::string_view name);
 

@@ -145,13 +145,7 @@ void Meshes::list(const ModelFile& file) {
   if (!listed_.emplace(&file, true).second) return;
   file.each_in("asset", [&](View one) {
     if (one.name() != "mesh") return;
-    const DefaultClass* of_class = file.find_class("main");
-    if (const Attribute* written = one.attribute("class")) {
-      of_class = file.find_class(written->value());
-      if (of_class == nullptr)
-        reporter_.refuse(written->value_span(), "there is no class " + quoted(written->value()),
-                         "write the name of a class of `<default>`");
-    }
+    const DefaultClass* of_class = file.class_of(one, nullptr);
     const Attribute* name = one.attribute("name");
     const Attribute* path = one.attribute("file");
     const std::string own(name != nullptr   ? name->value()
