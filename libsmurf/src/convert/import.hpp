@@ -2,9 +2,7 @@
 // Makes the sections of a SMURF model from a URDF, one function per section.
 #pragma once
 
-#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,16 +47,5 @@ std::string_view text_of(xml::View element);
 std::string_view child_text(xml::View element, std::string_view child);
 /// The robot's children of this name that URDF does not define.
 std::vector<xml::View> extensions_of(const Context& context, std::string_view name);
-
-/// Makes names unique: "arm", "arm_2".
-class UniqueNames {
- public:
-  void take(const std::string& name) { taken_.insert(name); }
-  std::string make(const std::string& wish);
-
- private:
-  std::set<std::string> taken_;
-  std::map<std::string, int> counts_;  ///< keeps many equal names linear
-};
 
 }  // namespace smurf::import
