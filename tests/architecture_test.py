@@ -130,9 +130,11 @@ PRIVATE_HEADERS_OF_TOOLS = {
     "base/text/counted.hpp",
     "base/text/did_you_mean.hpp",
     "base/text/edits.hpp",
+    "base/text/lists.hpp",
     "base/deadline.hpp",
     "base/findings/limits.hpp",
     "base/numbers/numbers.hpp",
+    "base/files/descriptor.hpp",
     "base/files/path.hpp",
     "base/files/places.hpp",  # differences between systems are in this file
     "base/text/quoted.hpp",

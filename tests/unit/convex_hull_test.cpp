@@ -7,10 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
 #include "base/numbers/vectors.hpp"
 #include "link/shape_hulls.hpp"
 #include "mesh/outer_points.hpp"
+#include "mesh/quickhull.hpp"
 #include "unit/random.hpp"
 
 using namespace smurf;
@@ -78,6 +80,34 @@ TEST_CASE("convex hull: no point is outside, and a ball is nearly full") {
     CHECK(hull->sides.size() == 2 * hull->corners.size() - 4);
     if (is_ball) CHECK(hull->volume > 0.9 * 4.18879);
     if (is_ball) CHECK(hull->volume < 4.18879);
+  }
+}
+
+TEST_CASE("quickhull: many points in one plane or on one line, rounded to millimetres") {
+  for (int count = 3; count < 60; ++count) {
+    std::vector<Vector3> points;
+    const Pose X{{0.7, -0.2, 0}, from_rpy({0, 0.3 + count, 0})};
+    for (int i = 0; i < count; ++i) {
+      const double angle = 6.283185307179586 * i / count;
+      for (const double z : {-0.1, 0.3}) {
+        Vector3 point =
+            (X * Pose{{0.05 * std::cos(angle), 0.05 * std::sin(angle), z}, {}}).position;
+        for (double& x : point) x = std::round(1000 * x) / 1000;
+        points.push_back(point);
+      }
+    }
+    for (const double tolerance : {1e-10, 1e-7}) {
+      CAPTURE(count);
+      const auto faces = quickhull(points, tolerance);
+      REQUIRE(faces);
+      std::set<std::uint32_t> corners;
+      for (const HullFace& face : *faces) {
+        corners.insert(face.corners.begin(), face.corners.end());
+        for (const Vector3& point : points)
+          CHECK(dot(face.side.normal, point) < face.side.distance + 1e-6);
+      }
+      CHECK(faces->size() == 2 * corners.size() - 4);
+    }
   }
 }
 

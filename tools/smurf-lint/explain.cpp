@@ -7,6 +7,7 @@
 #include "ast/format.hpp"
 #include "base/files/path.hpp"
 #include "base/text/did_you_mean.hpp"
+#include "base/text/lists.hpp"
 #include "config/key_help.hpp"
 #include "render/wrap.hpp"
 #include "smurf-lint/options.hpp"
@@ -88,11 +89,9 @@ std::string element_called(std::string_view name) {
     text += "\n";
     for (const std::string& line : describe(attribute)) text += render::wrap(line, 0, kColumns);
   }
-  std::string children;
-  for (const std::string_view child : element->children) {
-    children.append(children.empty() ? "Elements in it: " : ", ").append(child);
-  }
-  return children.empty() ? text : text + "\n" + render::wrap(children + ".", 0, kColumns);
+  if (element->children.empty()) return text;
+  return text + "\n" +
+         render::wrap("Elements in it: " + listed(element->children) + ".", 0, kColumns);
 }
 
 /// The rules about inertials, which the page of their element lists.

@@ -10,6 +10,7 @@
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
 #include "base/text/counted.hpp"
+#include "base/text/lists.hpp"
 #include "base/text/words.hpp"
 #include "common/files/input.hpp"
 #include "common/files/output.hpp"
@@ -207,12 +208,6 @@ std::string in_yaml(std::string_view text, bool is_always_quoted = false) {
     }
   }
   return quoted + "\"";
-}
-
-std::string listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
 }
 
 /// The setting `xacro`. Paths are relative to the folder.

@@ -9,7 +9,7 @@
 
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
-#include "base/text/counted.hpp"
+#include "base/text/lists.hpp"
 #include "base/text/quoted.hpp"
 #include "common/files/input.hpp"
 #include "plan/xacro_files.hpp"
@@ -379,14 +379,11 @@ class Search {
 
   /// One for all files that nobody renames.
   static std::string sentence_of(const std::string& name, const std::vector<std::string>& places) {
-    const std::size_t count = std::min(places.size(), kMostPlaces);
-    std::string text = quoted(name) + " is still named in ";
-    for (std::size_t i = 0; i < count; ++i) {
-      const bool is_last = i + 1 == places.size();
-      text += (i == 0 ? "" : is_last ? " and " : ", ") + places[i];
-    }
-    if (places.size() > count) text += " and " + counted(places.size() - count, "more file");
-    return text + "; change it there";
+    return quoted(name) + " is still named in " +
+           (places.size() <= kMostPlaces
+                ? enumerated(places)
+                : shortlist(places, kMostPlaces, "more file", "more files")) +
+           "; change it there";
   }
 
   static void add(std::vector<std::string>& to, std::string sentence) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "base/text/lists.hpp"
 #include "render/printable.hpp"
 #include "smurf-lint/one_model.hpp"
 #include "smurf/joint_order.hpp"
@@ -103,13 +104,9 @@ std::vector<std::string_view> order_names() {
 
 std::string_view order_help() {
   static const std::string help = [] {
-    std::string names;
-    for (const std::string_view name : order_names()) {
-      names.append(names.empty() ? "" : ", ").append(name);
-    }
     return "Show the order of joints and bodies that these readers build of the robot PATH, and the "
            "permutations between the first and the others; check nothing else. Known: " +
-           names + ". --format json writes all permutations.";
+           listed(order_names()) + ". --format json writes all permutations.";
   }();
   return help;
 }

@@ -6,6 +6,7 @@
 
 #include "base/files/path.hpp"
 #include "base/numbers/numbers.hpp"
+#include "base/text/lists.hpp"
 #include "common/cli/command.hpp"
 #include "render/json_text.hpp"
 #include "render/printable.hpp"
@@ -95,9 +96,7 @@ std::string tally_text(const Report& report) {
     kinds.push_back(count_of(report.summary.models, "model", "models"));
   if (report.summary.scenes > 0)
     kinds.push_back(count_of(report.summary.scenes, "scene", "scenes"));
-  std::string text;
-  for (const std::string& kind : kinds) text += (text.empty() ? "" : ", ") + kind;
-  text += ": " + std::to_string(tally.passed) + " passed";
+  std::string text = listed(kinds) + ": " + std::to_string(tally.passed) + " passed";
   if (tally.warned > 0) text += ", " + std::to_string(tally.warned) + " with warnings";
   if (tally.failed > 0) text += ", " + std::to_string(tally.failed) + " failed";
   if (tally.undecided > 0) text += ", " + std::to_string(tally.undecided) + " without verdict";

@@ -66,7 +66,7 @@ void add_views(const LinkedModel& model, const std::string& path, const SourceMa
     if (sources.path(file.source) != path) continue;
     view.source = file.source;
     view.yaml = file.document ? &*file.document : nullptr;
-    if (xacro::is_xacro_file(path)) continue;
+    if (file.kind == ModelFile::Kind::urdf && model.language == Language::xacro) continue;
     const bool is_robot = model.robot && model.robot->document.source == file.source;
     view.xml = is_robot ? &model.robot->document : nullptr;
     views.push_back(view);

@@ -7,6 +7,7 @@
 
 #include "base/numbers/numbers.hpp"
 #include "base/text/did_you_mean.hpp"
+#include "base/text/lists.hpp"
 #include "common/cli/command.hpp"
 #include "render/printable.hpp"
 
@@ -70,12 +71,7 @@ std::string other_instances(const std::string& name, std::span<const std::string
   }
   const std::string meant = did_you_mean(name, known);
   if (!meant.empty() || known.empty()) return meant;
-  std::string text;
-  for (std::size_t i = 0; i < known.size() && i < kMost; ++i) {
-    text.append(i == 0 ? "; its instances are " : ", ").append(known[i]);
-  }
-  return text +
-         (known.size() > kMost ? " and " + std::to_string(known.size() - kMost) + " more" : "");
+  return "; its instances are " + shortlist(known, kMost);
 }
 
 }  // namespace smurf::tools

@@ -2,6 +2,7 @@
 #include "smurfs-flatten/formats.hpp"
 
 #include "base/files/path.hpp"
+#include "base/text/lists.hpp"
 #include "render/wrap.hpp"
 #include "smurf/write_scene.hpp"
 
@@ -14,11 +15,7 @@ std::vector<std::string_view> format_names() {
 }
 
 std::string format_help() {
-  std::string names;
-  for (const std::string_view name : format_names()) {
-    names.append(names.empty() ? "" : ", ").append(name);
-  }
-  return "Choose the output format: " + names +
+  return "Choose the output format: " + listed(format_names()) +
          "; `help` describes them. By default, that of the extension of --output, or json.";
 }
 

@@ -236,7 +236,7 @@ std::vector<std::string> remarks_on(const LinkedModel& model, const SmurfResult&
         ", which MARS does not open: " +
         (options.in_place ? "--in-place does not change the URDF" : "no file was found"));
   }
-  if (xacro::is_xacro_file(model.urdf_path)) {
+  if (model.language == Language::xacro) {
     add(path::join(folder, result.made.urdf_path) + " was generated: after a change in " +
         model.urdf_path + ", run urdf2smurf again");
   }

@@ -152,6 +152,9 @@ enum class About : std::uint8_t {
   format,   ///< whether the file follows its format; programs may read it anyway
 };
 
+/// From which languages a URDF that is made of a file takes the faulty part over as it is.
+enum class TakenOver : std::uint8_t { never, from_sdf, always };
+
 /// Which tool reports the findings of a rule.
 enum class Tool : std::uint8_t { lint, load_check, converters };
 
@@ -197,6 +200,8 @@ struct Rule {
   bool blocks_building = false;  ///< no robot can be built from the file
   /// With other packages, arguments or limits, or in another program, there is no such fault.
   bool may_pass_elsewhere = false;
+  /// Whether a finding in the URDF of an MJCF or SDF file is about that file, too.
+  TakenOver taken_over = TakenOver::never;
 };
 
 /// A second place that explains a diagnostic, possibly in another file.

@@ -135,7 +135,8 @@ struct LinkedModel {
   std::vector<ModelFile> files;  ///< in the order they were read
   Annotations annotations;       ///< of all files, merged
   std::optional<urdf::Robot> robot;
-  std::string urdf_path;  ///< empty if there is no URDF
+  std::string urdf_path;               ///< empty if there is no URDF
+  Language language = Language::urdf;  ///< of that file
   KinematicTree tree;
   /// Names of links that must not touch each other: said by the file of another language that the
   /// robot was made from. A URDF has an SRDF for them.

@@ -19,6 +19,9 @@ inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 enum class SourceId : std::uint32_t {};
 
+/// The language of the file of a robot. A URDF is read as it is; from the others one is made.
+enum class Language : std::uint8_t { urdf, xacro, mjcf, sdf };
+
 /// Half-open byte range [begin, end) of one source.
 struct Span {
   SourceId source{};

@@ -153,14 +153,12 @@ struct LaunchWorld {
 
 /// Of one robot. Findings in its files do not depend on other robots.
 struct Surroundings {
-  std::string robot_path;                     ///< as launch files name it
   bool is_xacro = false, is_expanded = true;  ///< false: arguments are missing
   std::vector<XacroArgument> arguments;       ///< of the xacro of the robot and what it includes
   bool has_all_arguments = true;  ///< false: it may have more in files that are not here
   std::vector<FrameFile> frame_files;
-  std::set<std::string> published_frames;  ///< by static transforms in launch files
-  std::vector<std::string> other_robots;   ///< texts of other descriptions in the package
-  bool has_frame_prefix = false;           ///< in a launch file
+  std::vector<std::string> other_robots;  ///< texts of other descriptions in the package
+  bool has_frame_prefix = false;          ///< in a launch file
   /// What breaks the text of the robot when it is read as YAML.
   std::optional<Span> not_yaml;
   std::vector<Span> noisy_calls;     ///< about which xacro warns

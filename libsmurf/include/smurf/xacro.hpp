@@ -68,14 +68,16 @@ struct Copied {
 
 /// An expanded file.
 struct Expansion {
-  SourceId root{};    ///< the file that was expanded
-  SourceId source{};  ///< the result, a source of its own
+  SourceId root{};                      ///< the file that was expanded
+  Language language = Language::xacro;  ///< of that file
+  SourceId source{};                    ///< the result, a source of its own
   std::vector<Frame> frames;
   std::vector<Leaf> leaves;  ///< in the order of the result
   std::vector<Input> inputs;
   std::vector<xml::Document> documents;  ///< of all files
   std::set<std::string> included;        ///< paths of all files that were read
   bool is_complete = false;              ///< false after a failure, which has been reported
+  std::string missing_argument;          ///< it failed because this one has no value
 
   const Frame& frame(FrameId id) const { return frames[static_cast<std::size_t>(id)]; }
   /// The place where a part of the result was written.
@@ -114,7 +116,7 @@ Expansion expand(SourceId root, const Settings& settings, Context& context);
 /// "in `wheel`, called here with radius=0.1".
 std::string label_of(const Frame& frame);
 
-/// Whether a file is a xacro: by its name, or because its root declares the prefix.
+/// Whether a file is a xacro, by its name. Of a loaded model, ask LinkedModel::language.
 bool is_xacro_file(std::string_view path);
 
 }  // namespace smurf::xacro

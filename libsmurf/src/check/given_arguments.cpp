@@ -8,6 +8,7 @@
 
 #include "base/files/path.hpp"
 #include "base/findings/rules.hpp"
+#include "base/text/lists.hpp"
 #include "base/text/quoted.hpp"
 #include "base/text/suggest.hpp"
 #include "smurf/xacro.hpp"

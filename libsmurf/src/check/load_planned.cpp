@@ -7,10 +7,10 @@
 #include "base/text/quoted.hpp"
 #include "check/excuses.hpp"
 #include "check/given_arguments.hpp"
+#include "check/xacro_places.hpp"
 #include "link/imported_world.hpp"
 #include "link/surroundings/load_surroundings.hpp"
 #include "link/unused_meshes.hpp"
-#include "plan/imported_robots.hpp"
 #include "plan/launched_values.hpp"
 
 namespace smurf {
@@ -64,8 +64,9 @@ void PlannedLoader::load(const PlannedFile& planned, const FileReader& files, Me
     load_one_robot(planned, context, outcome);
   }
   for (const auto& [source, expansion] : *context.expansions) {
-    const Circumstance* language = language_of_import(outcome.sources.text(expansion.root));
-    if (language != nullptr) outcome.notes.languages.insert(language);
+    if (const Circumstance* mark = mark_of(expansion.language)) {
+      outcome.notes.languages.insert(mark);
+    }
   }
   if (!planned.is_named) calm_losses(outcome.judged.diagnostics);
   if (!settings.xacro.arguments.empty() || !group.config.xacro.empty()) {

@@ -9,10 +9,10 @@
 #include <tuple>
 #include <utility>
 
+#include "base/findings/cases.hpp"
 #include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
 #include "imports/imports.hpp"
-#include "plan/imported_robots.hpp"
 #include "verdict/targets.hpp"
 
 namespace smurf {
@@ -87,11 +87,10 @@ void move_to_xacro(const xacro::Expansion& expansion, Diagnostic& diagnostic) {
 
 /// Marks findings in a URDF that was made of another language. What programs make of a URDF does
 /// not matter to somebody who has none, unless a target asks for it.
-void mark_imports(const xacro::Expansions& expansions, const SourceMap& sources,
-                  std::vector<Diagnostic>& found) {
+void mark_imports(const xacro::Expansions& expansions, std::vector<Diagnostic>& found) {
   std::map<SourceId, const Circumstance*> kinds;
   for (const auto& [source, expansion] : expansions)
-    kinds.emplace(source, language_of_import(sources.text(expansion.root)));
+    kinds.emplace(source, mark_of(expansion.language));
   for (Diagnostic& one : found) {
     const auto kind = kinds.find(one.span.source);
     if (kind == kinds.end() || kind->second == nullptr) continue;
@@ -104,6 +103,12 @@ void mark_imports(const xacro::Expansions& expansions, const SourceMap& sources,
 
 }  // namespace
 
+const Circumstance* mark_of(Language language) {
+  return language == Language::mjcf  ? &cases::kOfMjcf
+         : language == Language::sdf ? &cases::kOfSdf
+                                     : nullptr;
+}
+
 void place_in_xacro(const xacro::Expansions& expansions, const SourceMap& sources,
                     std::vector<Diagnostic>& found) {
   // A part that only a URDF needs is nobody's, and no rule on masses or on writing is meant for it.
@@ -115,7 +120,7 @@ void place_in_xacro(const xacro::Expansions& expansions, const SourceMap& source
            (diagnostic.severity != Severity::error || is_about_masses) &&
            imports::is_made(expansion->second, diagnostic.span);
   });
-  mark_imports(expansions, sources, found);
+  mark_imports(expansions, found);
   for (Diagnostic& diagnostic : found) {
     const auto expansion = expansions.find(diagnostic.span.source);
     if (expansion != expansions.end()) {

@@ -13,4 +13,7 @@ namespace smurf {
 void place_in_xacro(const xacro::Expansions& expansions, const SourceMap& sources,
                     std::vector<Diagnostic>& found);
 
+/// How findings in the URDF that is made of a language are marked; null for xacro.
+const Circumstance* mark_of(Language language);
+
 }  // namespace smurf

@@ -12,10 +12,10 @@
 #include "base/files/path.hpp"
 #include "base/findings/rule_patterns.hpp"
 #include "base/findings/rules.hpp"
+#include "base/text/lists.hpp"
 #include "base/text/quoted.hpp"
 #include "config/companion_setting.hpp"
 #include "config/setting_findings.hpp"
-#include "config/setting_words.hpp"
 #include "config/xacro_setting.hpp"
 #include "smurf/limits.hpp"
 #include "smurf/readers.hpp"
@@ -23,6 +23,13 @@
 
 namespace smurf {
 namespace {
+
+std::optional<Severity> to_severity(std::string_view word) {
+  for (const Severity severity : {Severity::error, Severity::warning, Severity::info}) {
+    if (to_string(severity) == word) return severity;
+  }
+  return std::nullopt;
+}
 
 using Texts = std::vector<Spanned<std::string>>;
 using Levels = std::map<std::string, Spanned<Severity>>;
@@ -258,7 +265,7 @@ class ConfigReader {
       diagnostic.help("did you mean " + quoted(*near) + "?");
       renames.offer(diagnostic.fixes, value, *near);
     }
-    if (diagnostic.help_text.empty()) diagnostic.help("known are " + listed(names));
+    if (diagnostic.help_text.empty()) diagnostic.help("known are " + listed(all_quoted(names)));
   }
 
   /// "there is no target `mujuco`", for one of few words.
@@ -267,7 +274,7 @@ class ConfigReader {
     Span place = value.span();
     Diagnostic& diagnostic = wrong(value, "there is no " + std::string(what) + " " + quoted(word));
     if (word == value.text()) suggest(diagnostic, word, known, place);
-    if (diagnostic.help_text.empty()) diagnostic.help("known are " + listed(known));
+    if (diagnostic.help_text.empty()) diagnostic.help("known are " + listed(all_quoted(known)));
   }
 
   void suggest(Diagnostic& diagnostic, std::string_view text,

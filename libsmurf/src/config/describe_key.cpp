@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/text/lists.hpp"
 #include "base/text/quoted.hpp"
 #include "config/key_help.hpp"
 
@@ -12,11 +13,7 @@ std::vector<std::string> describe(const KeyHelp& help) {
   if (!help.unit.empty()) value += ", in " + std::string(help.unit);
   lines.push_back(value);
   if (!help.choices.empty() && help.form == ValueForm::scalar) {
-    std::string words;
-    for (const std::string_view one : help.choices) {
-      words += (words.empty() ? "" : ", ") + quoted(one);
-    }
-    lines.push_back("One of " + words);
+    lines.push_back("One of " + listed(all_quoted(help.choices)));
   }
   if (!help.fallback.empty()) lines.push_back("Absent, it is " + quoted(help.fallback));
   if (!help.read_by.empty()) lines.push_back("Read by " + std::string(help.read_by));

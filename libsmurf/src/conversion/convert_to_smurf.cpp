@@ -11,7 +11,6 @@
 #include "smurf/conversion.hpp"
 #include "smurf/result_losses.hpp"
 #include "smurf/write.hpp"
-#include "smurf/xacro.hpp"
 
 namespace smurf {
 namespace {
@@ -20,7 +19,7 @@ namespace {
 /// tell robots apart.
 std::string usual_name(const LinkedModel& model, bool has_file) {
   std::string stem(has_file ? path::stem(model.urdf_path) : "robot");
-  const bool is_xacro = xacro::is_xacro_file(model.urdf_path);
+  const bool is_xacro = model.language == Language::xacro;
   if (is_xacro && path::to_lower(stem).ends_with(".urdf")) stem = path::stem(stem);
   const std::string lower = path::to_lower(stem);
   const bool is_general = lower == "model" || lower == "robot";

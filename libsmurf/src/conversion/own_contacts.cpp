@@ -7,6 +7,7 @@
 #include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/counted.hpp"
+#include "base/text/lists.hpp"
 #include "base/text/quoted.hpp"
 #include "link/disabled_pairs.hpp"
 #include "link/link_overlaps.hpp"
@@ -25,16 +26,12 @@ std::string list(const LinkedModel& model, std::vector<LinkOverlap> overlaps) {
   constexpr std::size_t kListed = 5;
   std::stable_sort(overlaps.begin(), overlaps.end(),
                    [](const LinkOverlap& a, const LinkOverlap& b) { return a.depth > b.depth; });
-  std::string text;
-  for (std::size_t i = 0; i < overlaps.size() && i < kListed; ++i) {
-    text += (i == 0 ? "" : ", ") + quoted(name_of(model, overlaps[i].link)) + " and " +
-            quoted(name_of(model, overlaps[i].other)) + " by " +
-            format_rounded(1000 * overlaps[i].depth, 3) + " mm";
+  std::vector<std::string> all;
+  for (const LinkOverlap& one : overlaps) {
+    all.push_back(quoted(name_of(model, one.link)) + " and " + quoted(name_of(model, one.other)) +
+                  " by " + format_rounded(1000 * one.depth, 3) + " mm");
   }
-  if (overlaps.size() > kListed) {
-    text += " and " + counted(overlaps.size() - kListed, "more pair");
-  }
-  return text;
+  return shortlist(all, kListed, "more pair", "more pairs");
 }
 
 /// The overlaps at the start poses of all instances of a model.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "conversion/reader_verdict.hpp"
+#include "base/text/lists.hpp"
 
 #include <algorithm>
 
@@ -32,9 +33,6 @@ ReaderVerdict verdict_on(const std::string& path, const Reader& reader, const Fi
   return verdict;
 }
 
-std::string first_of(const std::vector<std::string>& reasons) {
-  if (reasons.size() < 2) return reasons.empty() ? std::string() : reasons.front();
-  return reasons.front() + " and " + std::to_string(reasons.size() - 1) + " more";
-}
+std::string first_of(const std::vector<std::string>& reasons) { return shortlist(reasons, 1); }
 
 }  // namespace smurf

@@ -32,7 +32,7 @@ std::vector<GazeboSensor> gazebo_sensors(const urdf::Robot& robot) {
     if (gazebo.name() != "gazebo") continue;
     for (const xml::View child : gazebo) {
       if (child.name() == "sensor") {
-        sensors.push_back({child, import::attribute_of(gazebo, "reference")});
+        sensors.push_back({child, attribute_of(gazebo, "reference")});
       }
     }
   }

@@ -2,14 +2,13 @@
 // Makes the sections of a SMURF model from a URDF, one function per section.
 #pragma once
 
-#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "smurf/convert.hpp"
+#include "syntax/xml_values.hpp"
 
 namespace smurf::import {
 
@@ -46,19 +45,7 @@ std::string texture_path(const UrdfImport& options, std::string_view path);
 std::string_view text_of(xml::View element);
 /// The text of a child; "" if it is absent.
 std::string_view child_text(xml::View element, std::string_view child);
-std::string_view attribute_of(xml::View element, std::string_view name);
 /// The robot's children of this name that URDF does not define.
 std::vector<xml::View> extensions_of(const Context& context, std::string_view name);
-
-/// Makes names unique: "arm", "arm_2".
-class UniqueNames {
- public:
-  void take(const std::string& name) { taken_.insert(name); }
-  std::string make(const std::string& wish);
-
- private:
-  std::set<std::string> taken_;
-  std::map<std::string, int> counts_;  ///< keeps many equal names linear
-};
 
 }  // namespace smurf::import

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/numbers/numbers.hpp"
+#include "base/text/unique_names.hpp"
 #include "convert/import.hpp"
 #include "convert/xml_edits.hpp"
 
@@ -101,14 +102,6 @@ NewValue texts_by_subject(const Context& context, const std::string& section,
 
 }  // namespace
 
-std::string UniqueNames::make(const std::string& wish) {
-  std::string name = wish;
-  for (int& count = counts_[wish]; !taken_.insert(name).second;) {
-    name = wish + "_" + std::to_string(++count + 1);
-  }
-  return name;
-}
-
 Part materials(Context& context) {
   std::vector<NewValue> entries = MaterialMaker(context).make();
   if (entries.empty()) return std::nullopt;
@@ -171,7 +164,7 @@ Part poses(Context& context) {
     }
     if (name.empty() || positions.empty()) continue;
     entries.push_back(mapping_value(
-        {}, {text_value("name", names.make(name)), mapping_value("joints", std::move(positions))}));
+        {}, {text_value("name", names.add(name)), mapping_value("joints", std::move(positions))}));
     entries.back().comment = context.line_of(state.span());
   }
   if (entries.empty()) return std::nullopt;

@@ -10,6 +10,7 @@
 #include "base/numbers/exact_math.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/edits.hpp"
+#include "base/text/unique_names.hpp"
 #include "convert/gazebo_sensors.hpp"
 #include "convert/import.hpp"
 #include "link/gazebo_names.hpp"
@@ -59,7 +60,7 @@ class SensorMaker {
 
  private:
   void add(const std::string& name, const std::string& comment, std::vector<NewValue> members) {
-    NewValue entry = mapping_value({}, {text_value("name", names_.make(name))});
+    NewValue entry = mapping_value({}, {text_value("name", names_.add(name))});
     for (NewValue& member : members) entry.children.push_back(std::move(member));
     entry.comment = comment;
     entries_.push_back(std::move(entry));
@@ -383,7 +384,7 @@ class SensorMaker {
   }
 
   std::string give_name(const urdf::Collision& collision, const std::string& link) {
-    const std::string name = geometry_names_.make(link + "_collision");
+    const std::string name = geometry_names_.add(link + "_collision");
     Span place = xml::View(context_.robot().document, collision.element).name_span();
     place.begin = place.end;
     context_.edits.push_back({place, " name=\"" + escape_xml(name) + "\""});

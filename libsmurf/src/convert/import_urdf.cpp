@@ -36,11 +36,6 @@ std::string_view child_text(xml::View element, std::string_view child) {
   return element ? text_of(element.child(child)) : std::string_view();
 }
 
-std::string_view attribute_of(xml::View element, std::string_view name) {
-  const xml::Attribute* attribute = element ? element.attribute(name) : nullptr;
-  return attribute != nullptr ? attribute->value() : std::string_view();
-}
-
 std::vector<xml::View> extensions_of(const Context& context, std::string_view name) {
   std::vector<xml::View> found;
   for (const xml::ElementId id : context.robot().extensions) {

@@ -20,11 +20,11 @@ void add_limits(xml::View interface, JointCommand& command) {
   std::optional<double> min;
   std::optional<double> max;
   for (const xml::View param : interface) {
-    const std::string_view name = import::attribute_of(param, "name");
+    const std::string_view name = attribute_of(param, "name");
     if (name == "min") min = parse_number(import::text_of(param));
     if (name == "max") max = parse_number(import::text_of(param));
   }
-  const std::string_view name = import::attribute_of(interface, "name");
+  const std::string_view name = attribute_of(interface, "name");
   if (name == "velocity") command.speed = max;
   if (name == "effort") command.effort = max;
   if (name != "position") return;
@@ -41,7 +41,7 @@ std::optional<JointCommand> joint_command(xml::View joint, std::string_view pref
   };
   for (const xml::View child : joint) {
     if (child.name() != "command_interface") continue;
-    const std::string_view name = import::attribute_of(child, "name");
+    const std::string_view name = attribute_of(child, "name");
     if (!rank_of(name)) continue;
     if (!command) command.emplace(JointCommand{child, name, {}, {}, {}, {}});
     if (*rank(name) < *rank(command->interface)) {

@@ -6,14 +6,10 @@
 #include "base/text/words.hpp"
 #include "convert/gazebo_sensors.hpp"
 #include "convert/passes.hpp"
+#include "syntax/xml_values.hpp"
 
 namespace smurf {
 namespace {
-
-std::string_view attribute_of(xml::View element, std::string_view name) {
-  const xml::Attribute* attribute = element ? element.attribute(name) : nullptr;
-  return attribute != nullptr ? attribute->value() : std::string_view();
-}
 
 /// Equal texts mean equal elements, independently of their layout.
 std::string signature(xml::View element) {

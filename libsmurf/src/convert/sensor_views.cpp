@@ -112,7 +112,7 @@ std::optional<double> vertical_opening(const SensorKeys& keys) {
 
 SensorView view_of(xml::View sensor) {
   SensorView view{sensor_pose(sensor), {}, {}, {}};
-  const std::string_view type = import::attribute_of(sensor, "type");
+  const std::string_view type = attribute_of(sensor, "type");
   if (type == "logical_camera" || type == "sonar") {
     view.why_unseen = kOther;
     return view;

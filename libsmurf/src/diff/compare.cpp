@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/files/path.hpp"
+#include "base/text/lists.hpp"
 #include "base/text/quoted.hpp"
 #include "diff/values.hpp"
 
@@ -176,15 +177,11 @@ class PropertyComparer {
   }
 
   /// "a was renamed to b, c was renamed to d and 3 more".
-  static std::string listed(const std::map<std::string, std::string, std::less<>>& renamed) {
+  static std::string renames_in(const std::map<std::string, std::string, std::less<>>& renamed) {
+    std::vector<std::string> all;
+    for (const auto& [name, other] : renamed) all.push_back(name + " was renamed to " + other);
     constexpr std::size_t kMost = 3;
-    std::string text;
-    std::size_t count = 0;
-    for (const auto& [name, other] : renamed) {
-      if (++count > kMost) continue;
-      text += (text.empty() ? "" : ", ") + name + " was renamed to " + other;
-    }
-    return count > kMost ? text + " and " + std::to_string(count - kMost) + " more" : text;
+    return shortlist(all, kMost);
   }
 
   Difference& add(const std::string& path, const Property& property) {
@@ -209,7 +206,7 @@ class PropertyComparer {
       });
       const bool is_list = after.form == Form::texts || after.form == Form::list;
       difference.detail =
-          is_list ? listed(renamed) : "which was renamed to " + value_text(meant, {}, {});
+          is_list ? renames_in(renamed) : "which was renamed to " + value_text(meant, {}, {});
     }
     difference.old_place = before.span;
     difference.new_place = after.span;

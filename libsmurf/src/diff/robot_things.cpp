@@ -12,6 +12,7 @@
 #include "base/ranges.hpp"
 #include "base/text/words.hpp"
 #include "diff/collect.hpp"
+#include "syntax/xml_values.hpp"
 
 namespace smurf {
 namespace {
@@ -55,11 +56,6 @@ Property property_of(const xml::Attribute& attribute, const AttributeSpec* spec)
   const Property fallback = property_of_text({}, spec->fallback, {}, is_text(spec));
   property.is_default = is_same_leaf(fallback, fallback.text, property, 0);
   return property;
-}
-
-std::string_view attribute_of(xml::View element, std::string_view name) {
-  const xml::Attribute* attribute = element.attribute(name);
-  return attribute == nullptr ? std::string_view() : attribute->value();
 }
 
 /// The inertia about the centre of mass, in the axes of the link: R I R^T.

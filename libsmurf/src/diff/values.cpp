@@ -6,6 +6,7 @@
 
 #include "base/numbers/exact_math.hpp"
 #include "base/numbers/numbers.hpp"
+#include "base/text/lists.hpp"
 #include "link/describe.hpp"
 
 namespace smurf {
@@ -98,9 +99,7 @@ std::string text_of(const DiffValue& value, std::string_view unit,
     return text.empty() ? "0" : with_unit(std::move(text), unit);
   }
   if (const auto* items = std::get_if<std::vector<std::string>>(&value)) {
-    std::string text;
-    for (const std::string& item : *items) text += (text.empty() ? "" : ", ") + item;
-    return "[" + text + "]";
+    return "[" + listed(*items) + "]";
   }
   return "none";
 }

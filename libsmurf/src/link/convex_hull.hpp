@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Convex hulls of some hundred points, and whether two of them overlap.
+// Convex hulls as solids, and whether two of them overlap.
 #pragma once
 
 #include <array>
@@ -7,16 +7,11 @@
 #include <optional>
 #include <vector>
 
+#include "mesh/quickhull.hpp"
 #include "smurf/mesh.hpp"
 #include "smurf/pose.hpp"
 
 namespace smurf {
-
-/// A half-space: the points p with dot(normal, p) <= distance. The normal has unit length.
-struct HalfSpace {
-  Vector3 normal{};
-  double distance = 0;
-};
 
 struct ConvexHull {
   std::vector<Vector3> corners;

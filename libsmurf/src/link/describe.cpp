@@ -7,6 +7,7 @@
 
 #include "base/numbers/numbers.hpp"
 #include "base/text/counted.hpp"
+#include "base/text/lists.hpp"
 #include "base/text/quoted.hpp"
 
 namespace smurf {
@@ -30,13 +31,8 @@ std::string numbers(const Vector3& vector, std::string_view between = " ") {
   return text;
 }
 
-std::string listed(const std::vector<std::string_view>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size() && i < kMostNames; ++i) {
-    text += (i == 0 ? "" : ", ") + quoted(names[i]);
-  }
-  if (names.size() > kMostNames) text += " and " + std::to_string(names.size() - kMostNames);
-  return text;
+std::string names_of(const std::vector<std::string_view>& names) {
+  return shortlist(all_quoted(names), kMostNames);
 }
 
 bool turns(const urdf::Joint& joint) {
@@ -87,7 +83,7 @@ Lines joint_lines(const LinkedModel& model, std::uint32_t item) {
       motors.push_back(*motor.name);
     }
   }
-  if (!motors.empty()) lines.push_back("driven by " + listed(motors));
+  if (!motors.empty()) lines.push_back("driven by " + names_of(motors));
   return lines;
 }
 
@@ -110,7 +106,7 @@ Lines link_lines(const LinkedModel& model, std::uint32_t item) {
   for (const JointIndex joint : model.tree.child_joints[item]) {
     if (model.joint(joint).child) carried.push_back(*model.joint(joint).child);
   }
-  if (!carried.empty()) lines.push_back("carries " + listed(carried));
+  if (!carried.empty()) lines.push_back("carries " + names_of(carried));
   const Lines place = describe_place(model, LinkIndex{item});
   lines.insert(lines.end(), place.begin(), place.end());
   return lines;
@@ -213,7 +209,7 @@ std::vector<std::string> describe_place(const LinkedModel& model, LinkIndex link
     if (model.joint(*joint).name) way.push_back(*model.joint(*joint).name);
   }
   std::reverse(way.begin(), way.end());
-  if (!way.empty()) lines.push_back("by the joints " + listed(way));
+  if (!way.empty()) lines.push_back("by the joints " + names_of(way));
   if (X_LP)
     lines.push_back("and in link " + name_of(model.link(link).name) + ": " + describe(*X_LP));
   return lines;

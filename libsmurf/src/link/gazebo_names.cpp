@@ -5,14 +5,10 @@
 
 #include "base/files/path.hpp"
 #include "base/text/words.hpp"
+#include "syntax/xml_values.hpp"
 
 namespace smurf {
 namespace {
-
-std::string_view attribute_of(xml::View element, std::string_view name) {
-  const xml::Attribute* attribute = element.attribute(name);
-  return attribute != nullptr ? attribute->value() : std::string_view();
-}
 
 class Namer {
  public:

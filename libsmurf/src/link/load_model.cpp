@@ -64,6 +64,7 @@ class ModelLoader {
 
   LinkedModel load(const std::string& path, xacro::Expansion made) {
     model_.path = model_.urdf_path = path;
+    model_.language = made.language;
     model_.files.push_back({ModelFile::Kind::urdf, made.root, std::nullopt});
     take_robot(keep(std::move(made)));
     link();
@@ -269,13 +270,13 @@ class ModelLoader {
     return read_urdf(std::move(*document), context_.sink);
   }
 
-  /// The language of the file of a robot. A URDF is read as it is; from the others one is made.
-  enum class Language : std::uint8_t { urdf, xacro, mjcf, sdf };
-  /// By its name, or by its root element; a .urdf of another language is a mistake.
-  Language language_of(const std::string& path, SourceId source) const {
-    if (xacro::is_xacro_file(path)) return Language::xacro;
-    if (path::to_lower(path::extension(path)) == ".urdf") return Language::urdf;
-    const std::string_view text = context_.sources.text(source);
+  /// The language of the file of the robot: by its name, or by its root element; a .urdf of another
+  /// language is a mistake.
+  Language language_of(std::optional<SourceId> source) const {
+    if (xacro::is_xacro_file(model_.urdf_path)) return Language::xacro;
+    if (!source || path::to_lower(path::extension(model_.urdf_path)) == ".urdf")
+      return Language::urdf;
+    const std::string_view text = context_.sources.text(*source);
     return mjcf::is_mjcf(text)      ? Language::mjcf
            : sdformat::is_sdf(text) ? Language::sdf
                                     : Language::urdf;
@@ -301,12 +302,11 @@ class ModelLoader {
 
   /// The text of the robot, which may have to be made; findings about that have been reported.
   std::optional<SourceId> text_of(SourceId file) {
-    const Language language = language_of(model_.urdf_path, file);
-    if (language == Language::urdf) return file;
-    if (language == Language::xacro) return keep(expand_xacro(file, context_));
+    if (model_.language == Language::urdf) return file;
+    if (model_.language == Language::xacro) return keep(expand_xacro(file, context_));
     imports::Context context{context_.sources, context_.files, context_.sink, context_.limits};
-    imports::Imported made =
-        language == Language::sdf ? sdformat::expand(file, context) : mjcf::expand(file, context);
+    imports::Imported made = model_.language == Language::sdf ? sdformat::expand(file, context)
+                                                              : mjcf::expand(file, context);
     model_.excluded = std::move(made.excluded);
     if (const auto annotations = keep(std::move(made.annotations))) made_annotations(*annotations);
     return keep(std::move(made.robot));
@@ -316,6 +316,7 @@ class ModelLoader {
   void urdf_file(const std::string& path, Span reference, const Rule& missing) {
     const auto source = read_listed(path, reference, missing);
     model_.urdf_path = path::normalize(path);
+    model_.language = language_of(source);
     model_.robot.reset();
     if (source) {
       model_.files.push_back({ModelFile::Kind::urdf, *source, std::nullopt});

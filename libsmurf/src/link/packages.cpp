@@ -6,15 +6,16 @@
 #include "base/files/path.hpp"
 #include "base/files/places.hpp"
 #include "base/text/words.hpp"
-#include "link/package_manifest.hpp"
-#include "smurf/xacro.hpp"
 
 namespace smurf {
 
-Packages::Packages(LoadContext& context, const std::string& urdf_path, FileIndex& index)
-    : context_(context), index_(index), urdf_path_(urdf_path) {
+Packages::Packages(LoadContext& context, const LinkedModel& model, FileIndex& index)
+    : context_(context),
+      index_(index),
+      urdf_path_(model.urdf_path),
+      is_xacro_(model.language == Language::xacro) {
   constexpr int kLevels = 8;
-  const std::string_view urdf_folder = path::parent(urdf_path);
+  const std::string_view urdf_folder = path::parent(urdf_path_);
   std::string folder = path::normalize(urdf_folder.empty() ? "." : urdf_folder);
   for (int level = 0; level < kLevels; ++level) {
     folders_.push_back(folder);
@@ -82,7 +83,7 @@ Packages::Place Packages::search(const std::string& name_and_rest) {
   const std::string package = installed(name);
   if (!package.empty()) return {path::join(package, rest)};
   // Without a package or a repository around the file, the search would look through the disk.
-  if (xacro::is_xacro_file(urdf_path_) || is_in_package()) {
+  if (is_xacro_ || is_in_package()) {
     if (const auto found = find_package(name, urdf_path_, context_)) {
       return {path::join(*found, rest)};
     }
@@ -136,10 +137,7 @@ std::string Packages::installed(const std::string& name) {
 }
 
 const std::string& Packages::package_name(const std::string& folder) {
-  const auto [place, is_new] = names_.try_emplace(folder);
-  if (!is_new) return place->second;
-  place->second = manifest_in(folder, index_.files()).name;
-  return place->second;
+  return search_of(context_).manifest(folder).name;
 }
 
 }  // namespace smurf

@@ -15,7 +15,7 @@ namespace smurf {
 
 class Packages {
  public:
-  Packages(LoadContext& context, const std::string& urdf_path, FileIndex& index);
+  Packages(LoadContext& context, const LinkedModel& model, FileIndex& index);
 
   struct Place {
     std::string path;       ///< empty if the package is unknown
@@ -50,8 +50,8 @@ class Packages {
   LoadContext& context_;
   FileIndex& index_;
   std::string urdf_path_;
-  std::vector<std::string> folders_;  ///< the URDF's folder and its parents
-  std::map<std::string, std::string> names_;
+  bool is_xacro_;
+  std::vector<std::string> folders_;            ///< the URDF's folder and its parents
   std::map<std::string, std::string> guessed_;  ///< by name: the folder in which a file was found
   /// The packages in the folders that contain packages, by name; earlier folders take precedence.
   /// Made at the first request.

@@ -22,7 +22,7 @@ class Resolver {
         urdf_folder_(path::parent(model.urdf_path)),
         main_folder_(path::parent(model.path)),
         has_main_(model.has_main),
-        packages_(context, model.urdf_path, index_) {}
+        packages_(context, model, index_) {}
 
   MeshReference mesh(const Field<std::string>& filename, bool is_texture) {
     MeshReference reference;

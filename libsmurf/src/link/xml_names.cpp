@@ -8,6 +8,7 @@
 #include "base/text/words.hpp"
 #include "link/extension_names.hpp"
 #include "link/reference_finder.hpp"
+#include "syntax/xml_values.hpp"
 
 namespace smurf {
 namespace {
@@ -17,11 +18,6 @@ using Notation = Reference::Notation;
 constexpr NameKinds kFrames = NameKind::link | NameKind::joint;
 
 std::uint32_t number_of(xml::View element) { return static_cast<std::uint32_t>(element.id()); }
-
-std::string_view attribute_of(xml::View element, std::string_view name) {
-  const xml::Attribute* attribute = element.attribute(name);
-  return attribute != nullptr ? attribute->value() : std::string_view();
-}
 
 /// Attributes of extensions whose names do not show what they refer to.
 struct AttributeNames {

@@ -12,6 +12,7 @@
 #include "base/findings/cases.hpp"
 #include "base/ranges.hpp"
 #include "base/text/edits.hpp"
+#include "base/text/lists.hpp"
 #include "base/text/suggest.hpp"
 #include "base/text/words.hpp"
 #include "lint/model_answers.hpp"

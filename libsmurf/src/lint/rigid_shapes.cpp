@@ -75,17 +75,6 @@ void add(const LinkedModel& model, const Pose& X_RL, const urdf::Origin& origin,
 
 }  // namespace
 
-std::vector<std::size_t> rigid_bodies(const LinkedModel& model) {
-  std::vector<std::size_t> body(model.robot->links.size());
-  for (std::size_t i = 0; i < body.size(); ++i) body[i] = i;
-  for (const LinkIndex link : model.tree.order) {
-    const auto joint = model.tree.parent_joint[to_size(link)];
-    if (!joint || model.joint(*joint).type != urdf::JointType::fixed) continue;
-    body[to_size(link)] = body[to_size(*model.tree.joint_parent[to_size(*joint)])];
-  }
-  return body;
-}
-
 std::vector<RigidShape> rigid_shapes(const LinkedModel& model,
                                      const std::vector<std::optional<Pose>>& poses,
                                      const std::vector<std::size_t>& body) {

@@ -9,9 +9,6 @@
 
 namespace smurf {
 
-/// By link: the topmost link to which fixed joints connect it. Such links are one body.
-std::vector<std::size_t> rigid_bodies(const LinkedModel& model);
-
 /// What a body reaches.
 struct RigidShape {
   std::vector<Vector3> points;  ///< corners of the boxes of shapes, in the frame of the root, m

@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include "base/files/path.hpp"
 #include "base/findings/uncertain.hpp"
 #include "base/ranges.hpp"
+#include "base/sdf_sensor_types.hpp"
+#include "base/text/lists.hpp"
 #include "base/text/quoted.hpp"
 #include "base/text/suggest.hpp"
 #include "base/text/words.hpp"
@@ -18,39 +21,6 @@
 namespace smurf::sdf {
 namespace {
 
-constexpr std::string_view kSensors[] = {"air_pressure",
-                                         "altimeter",
-                                         "camera",
-                                         "contact",
-                                         "custom",
-                                         "depth",
-                                         "depth_camera",
-                                         "rgbd",
-                                         "rgbd_camera",
-                                         "thermal",
-                                         "thermal_camera",
-                                         "segmentation",
-                                         "boundingbox",
-                                         "boundingbox_camera",
-                                         "segmentation_camera",
-                                         "wideanglecamera",
-                                         "wide_angle_camera",
-                                         "force_torque",
-                                         "navsat",
-                                         "gps",
-                                         "gpu_ray",
-                                         "gpu_lidar",
-                                         "imu",
-                                         "logical_camera",
-                                         "magnetometer",
-                                         "multicamera",
-                                         "ray",
-                                         "lidar",
-                                         "rfid",
-                                         "rfidtag",
-                                         "sonar",
-                                         "wireless_receiver",
-                                         "wireless_transmitter"};
 /// Sensors that sdformat reads a `camera` of.
 constexpr std::string_view kCameras[] = {"camera",
                                          "depth",
@@ -89,13 +59,10 @@ template <class Words>
 std::string some_of(const Words& known) {
   constexpr std::size_t kMostShown = 9;
   const std::size_t count = std::size(known);
-  std::string text;
-  for (std::size_t i = 0; i < std::min(count, kMostShown); ++i) {
-    if (i > 0) text += i + 1 == count ? " or " : ", ";
-    text += quoted(known[i]);
-  }
-  if (count <= kMostShown) return text;
-  return text + " or another of the " + std::to_string(count) + " that SDF has";
+  const std::span<const std::string_view> all(known);
+  if (count <= kMostShown) return enumerated(all_quoted(all), " or ");
+  return listed(all_quoted(all.first(kMostShown))) + " or another of the " + std::to_string(count) +
+         " that SDF has";
 }
 
 class Checker {
@@ -171,7 +138,7 @@ class Checker {
     const std::string_view type = value_of(element, "type");
     if (kind == "sensor") {
       check_reserved(element, report_);
-      word(place_of(element, "type"), type, kSensors, "type of sensor");
+      word(place_of(element, "type"), type, kSdfSensorTypesOf12, "type of sensor");
       sensor(element, type);
     } else if (kind == "light") {
       check_reserved(element, report_);

@@ -11,6 +11,7 @@
 
 #include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
+#include "base/text/lists.hpp"
 #include "base/text/quoted.hpp"
 #include "base/text/words.hpp"
 #include "imports/traced_yaml.hpp"
@@ -286,9 +287,7 @@ class AnnotationWriter {
       }
     }
     if (lost.empty()) return;
-    std::string names;
-    for (std::size_t i = 0; i < lost.size(); ++i)
-      names += (i == 0 ? "" : i + 1 == lost.size() ? " and " : ", ") + quoted(lost[i]);
+    const std::string names = enumerated(all_quoted(lost));
     reporter_
         .report(rules::sml9304_lost_in_urdf, place,
                 "SMURF has no settings for contacts of MuJoCo, so " + names + " of " +

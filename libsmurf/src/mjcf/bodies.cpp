@@ -88,22 +88,7 @@ class Builder {
   const DefaultClass* childclass_of(View element, const Surroundings& around) {
     const Attribute* written = element.attribute("childclass");
     if (written == nullptr) return around.childclass;
-    const DefaultClass* found = around.file->find_class(written->value());
-    if (found == nullptr)
-      reporter_.refuse(written->value_span(), "there is no class " + quoted(written->value()),
-                       "write the name of a class of `<default>`");
-    return found;
-  }
-
-  const DefaultClass* class_of(View element, const Surroundings& around) {
-    const DefaultClass* found = around.childclass;
-    if (const Attribute* written = element.attribute("class")) {
-      found = around.file->find_class(written->value());
-      if (found == nullptr)
-        reporter_.refuse(written->value_span(), "there is no class " + quoted(written->value()),
-                         "write the name of a class of `<default>`");
-    }
-    return found != nullptr ? found : around.file->find_class("main");
+    return around.file->named_class(*written);
   }
 
   /// A body of MuJoCo needs ten times the memory of a part of a URDF.
@@ -158,15 +143,15 @@ class Builder {
         Site& site = model_.sites.emplace_back();
         site.name = name_of(child, around, "site");
         site.body = index;
-        site.pose =
-            X * pose_of(Settings(child, class_of(child, around)), file.compiler(), reporter_);
+        site.pose = X * pose_of(Settings(child, around.file->class_of(child, around.childclass)),
+                                file.compiler(), reporter_);
         site.element = child;
         site.frame = around.frame;
       } else if (kind == "camera") {
         Camera& camera = model_.cameras.emplace_back();
         camera.name = name_of(child, around, "camera");
         camera.body = index;
-        camera.settings = Settings(child, class_of(child, around));
+        camera.settings = Settings(child, around.file->class_of(child, around.childclass));
         camera.pose = X * pose_of(camera.settings, file.compiler(), reporter_);
       } else if (kind == "flexcomp") {
         flex(child, index, X, around);

@@ -25,6 +25,7 @@ Imported expand(SourceId root, Context& context) {
   Imported result;
   xacro::Expansion& robot = result.robot;
   robot.root = root;
+  robot.language = Language::mjcf;
   Reporter reporter(context, kFamily);
   Model model;
   const std::string path = context.sources.path(root);
@@ -44,6 +45,7 @@ Imported expand(SourceId root, Context& context) {
     std::string sections = write_annotations(model, reporter, annotations);
     robot.is_complete = !reporter.has_refused();
     annotations.root = root;
+    annotations.language = Language::mjcf;
     annotations.frames = robot.frames;
     annotations.is_complete = robot.is_complete && !sections.empty();
     if (annotations.is_complete)

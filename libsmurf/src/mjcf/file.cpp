@@ -254,6 +254,19 @@ const DefaultClass* ModelFile::find_class(std::string_view name) const {
   return found != classes_.end() ? &found->second : nullptr;
 }
 
+const DefaultClass* ModelFile::named_class(const Attribute& name) const {
+  const DefaultClass* found = find_class(name.value());
+  if (found == nullptr)
+    reporter_.refuse(name.value_span(), "there is no class " + quoted(name.value()),
+                     "write the name of a class of `<default>`");
+  return found;
+}
+
+const DefaultClass* ModelFile::class_of(View element, const DefaultClass* other) const {
+  if (const Attribute* name = element.attribute("class")) other = named_class(*name);
+  return other != nullptr ? other : find_class("main");
+}
+
 void ModelFile::report_unused_classes() const {
   std::set<std::string, std::less<>> used{"main"};
   for (const xml::Document& document : documents_) {

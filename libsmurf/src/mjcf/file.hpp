@@ -65,6 +65,10 @@ class ModelFile {
   const std::map<SourceId, Span>& includes() const { return include_places_; }
   const std::map<std::string, DefaultClass, std::less<>>& classes() const { return classes_; }
   const DefaultClass* find_class(std::string_view name) const;
+  /// The class that an attribute names; null if there is none, which is refused.
+  const DefaultClass* named_class(const Attribute& name) const;
+  /// The class of an element: the one that it names, else `other`, else `main`.
+  const DefaultClass* class_of(View element, const DefaultClass* other) const;
   /// Reports classes that nothing uses, nor one inside of them.
   void report_unused_classes() const;
 

@@ -145,14 +145,7 @@ std::optional<Geom> read_geom(View element, const Surroundings& around, Meshes& 
   const ModelFile& file = *around.file;
   geom.file = &file;
   geom.frame = around.frame;
-  const DefaultClass* of_class = around.childclass;
-  if (const Attribute* written = element.attribute("class")) {
-    of_class = file.find_class(written->value());
-    if (of_class == nullptr)
-      reporter.refuse(written->value_span(), "there is no class " + quoted(written->value()),
-                      "write the name of a class of `<default>`");
-  }
-  geom.settings = Settings(element, of_class != nullptr ? of_class : file.find_class("main"));
+  geom.settings = Settings(element, file.class_of(element, around.childclass));
   const Settings& s = geom.settings;
   if (const Attribute* type = s.find("type")) {
     constexpr std::string_view kTypes[] = {"plane",    "hfield", "sphere", "capsule", "ellipsoid",

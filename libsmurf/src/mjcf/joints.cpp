@@ -55,14 +55,7 @@ Joint read_joint(View element, const Surroundings& around, Reporter& reporter) {
         wanted == Auto::yes || (wanted == Auto::automatic && file.compiler().alignfree);
     return joint;
   }
-  const DefaultClass* of_class = around.childclass;
-  if (const Attribute* written = element.attribute("class")) {
-    of_class = file.find_class(written->value());
-    if (of_class == nullptr)
-      reporter.refuse(written->value_span(), "there is no class " + quoted(written->value()),
-                      "write the name of a class of `<default>`");
-  }
-  joint.settings = Settings(element, of_class != nullptr ? of_class : file.find_class("main"));
+  joint.settings = Settings(element, file.class_of(element, around.childclass));
   const Settings& s = joint.settings;
   if (const Attribute* type = s.find("type")) {
     constexpr std::string_view kTypes[] = {"free", "ball", "slide", "hinge"};

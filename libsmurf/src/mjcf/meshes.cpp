@@ -11,6 +11,7 @@
 #include "base/numbers/little_endian.hpp"
 #include "base/numbers/vectors.hpp"
 #include "base/text/quoted.hpp"
+#include "mesh/quickhull.hpp"
 #include "mjcf/model.hpp"
 #include "smurf/mesh_triangles.hpp"
 
@@ -65,6 +66,24 @@ std::optional<Triangles> read_msh(std::string_view bytes) {
     }
     result.faces.push_back(face);
   }
+  return result;
+}
+
+/// The hull of points; empty if they lie in a plane.
+Triangles hull_of(std::vector<Vector3> points) {
+  double reach = 0;
+  for (const Vector3& point : points) {
+    for (const double x : point) reach = std::max(reach, std::fabs(x));
+  }
+  Triangles result;
+  // As exact as rounding errors let it be.
+  for (const double tolerance : {1e-10, 1e-9, 1e-8, 1e-7}) {
+    const auto faces = quickhull(points, tolerance * reach);
+    if (!faces) continue;
+    for (const HullFace& face : *faces) result.faces.push_back(face.corners);
+    break;
+  }
+  result.points = std::move(points);
   return result;
 }
 
@@ -126,13 +145,7 @@ void Meshes::list(const ModelFile& file) {
   if (!listed_.emplace(&file, true).second) return;
   file.each_in("asset", [&](View one) {
     if (one.name() != "mesh") return;
-    const DefaultClass* of_class = file.find_class("main");
-    if (const Attribute* written = one.attribute("class")) {
-      of_class = file.find_class(written->value());
-      if (of_class == nullptr)
-        reporter_.refuse(written->value_span(), "there is no class " + quoted(written->value()),
-                         "write the name of a class of `<default>`");
-    }
+    const DefaultClass* of_class = file.class_of(one, nullptr);
     const Attribute* name = one.attribute("name");
     const Attribute* path = one.attribute("file");
     const std::string own(name != nullptr   ? name->value()

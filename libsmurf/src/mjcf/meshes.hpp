@@ -20,9 +20,6 @@ struct Triangles {
   std::vector<std::array<std::uint32_t, 3>> faces;
 };
 
-/// The hull of points; empty if they lie in a plane.
-Triangles hull_of(const std::vector<Vector3>& points);
-
 enum class MeshInertia : std::uint8_t { convex, exact, legacy, shell };
 /// Mass, centre and inertia of density 1; none if the volume is too small or negative.
 std::optional<MassProperties> properties_of(const Triangles& mesh, MeshInertia mode);

@@ -60,7 +60,6 @@ struct Geom {
   Settings settings;
   xacro::FrameId frame = xacro::kNoFrame;
   const ModelFile* file = nullptr;
-  std::string mesh_prefix;
   Pose pose;
   std::array<double, 3> size{};
   std::string mesh;  ///< name; empty: none

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "base/files/path.hpp"
 #include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
+#include "base/text/unique_names.hpp"
 #include "imports/joint_xml.hpp"
 #include "mjcf/extensions.hpp"
 #include "mjcf/shapes.hpp"
@@ -27,8 +27,8 @@ class RobotWriter {
               xacro::Expansion& expansion)
       : model_(model), facts_(facts), reporter_(reporter), expansion_(expansion), xml_(expansion) {
     for (const Body& body : model.bodies) {
-      links_.insert(body.name);
-      for (const Joint& joint : body.joints) joints_.insert(joint.name);
+      links_.take(body.name);
+      for (const Joint& joint : body.joints) joints_.take(joint.name);
     }
   }
 
@@ -66,13 +66,6 @@ class RobotWriter {
                                     [](const Body& one) { return one.parent == 0; });
     const Body& first = model_.bodies[1];
     return tops != 1 || first.joints.size() != 1 || first.joints.front().type != Joint::Type::free;
-  }
-
-  /// A name that no other link or joint has.
-  static std::string unique(std::string name, std::set<std::string>& names) {
-    std::string result = name;
-    for (int i = 2; !names.insert(result).second; ++i) result = name + "_" + std::to_string(i);
-    return result;
   }
 
   Place name_place(const Body& body) const {
@@ -170,7 +163,7 @@ class RobotWriter {
         with_frame(own.place({"pos", "quat", "euler", "axisangle", "xyaxes", "zaxis"}), body.frame);
     const Place tag = place_of(body.element, body.frame);
     if (body.joints.empty()) {
-      const std::string name = unique(body.name + "_fixed", joints_);
+      const std::string name = joints_.add(body.name + "_fixed");
       add_fixed_joint(xml_, made_joint(name, "fixed", parent, body.name, body.pose, tag, of_pose));
       return;
     }
@@ -198,7 +191,7 @@ class RobotWriter {
       X = X * Pose{{at[0] - anchor[0], at[1] - anchor[1], at[2] - anchor[2]}, {}};
       anchor = at;
       const bool is_last = k + 1 == body.joints.size() && anchor == Vector3{};
-      const std::string to = is_last ? body.name : unique(body.name + "__" + joint.name, links_);
+      const std::string to = is_last ? body.name : links_.add(body.name + "__" + joint.name);
       const Place place = place_of(joint.settings.element(), joint.frame);
       if (joint.type == Joint::Type::ball) {
         ball(joint, from, to, X, of_pose);
@@ -216,7 +209,7 @@ class RobotWriter {
     }
     if (anchor == Vector3{}) return;
     const Place last = place_of(body.joints.back().settings.element(), body.joints.back().frame);
-    const std::string name = unique(body.name + "_at", joints_);
+    const std::string name = joints_.add(body.name + "_at");
     const Pose X_back{{-anchor[0], -anchor[1], -anchor[2]}, {}};
     add_fixed_joint(xml_, made_joint(name, "fixed", from, body.name, X_back, last, last));
   }
@@ -229,8 +222,8 @@ class RobotWriter {
         {"_x", "1 0 0"}, {"_y", "0 1 0"}, {"_z", "0 0 1"}};
     for (std::size_t i = 0; i < 3; ++i) {
       const std::string child =
-          i == 2 ? to : unique(to + "__" + joint.name + std::string(kAxes[i].first), links_);
-      const std::string name = unique(joint.name + std::string(kAxes[i].first), joints_);
+          i == 2 ? to : links_.add(to + "__" + joint.name + std::string(kAxes[i].first));
+      const std::string name = joints_.add(joint.name + std::string(kAxes[i].first));
       open_joint(xml_,
                  made_joint(name, "continuous", parent, child, i == 0 ? X : Pose{}, tag, of_pose));
       xml_.open("axis", tag);
@@ -332,7 +325,7 @@ class RobotWriter {
   Reporter& reporter_;
   xacro::Expansion& expansion_;
   TracedXml xml_;
-  std::set<std::string> links_, joints_;
+  UniqueNames links_, joints_;
   std::map<std::string, std::string> holders_;  ///< by link, the joint that holds it
 };
 

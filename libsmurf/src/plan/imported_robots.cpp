@@ -6,7 +6,6 @@
 
 #include "base/files/path.hpp"
 #include "base/files/standard_input.hpp"
-#include "base/findings/cases.hpp"
 #include "base/text/words.hpp"
 #include "imports/imports.hpp"
 #include "mjcf/mjcf.hpp"
@@ -44,10 +43,6 @@ bool may_be_imported(std::string_view path) {
 
 bool is_imported(std::string_view text) {
   return sdformat::is_sdf(text) || (mjcf::is_mjcf(text) && !mjcf::is_part(text));
-}
-
-const Circumstance* language_of_import(std::string_view text) {
-  return mjcf::is_mjcf(text) ? &cases::kOfMjcf : sdformat::is_sdf(text) ? &cases::kOfSdf : nullptr;
 }
 
 std::string standard_input_name(std::string_view text) {

@@ -17,8 +17,4 @@ namespace smurf {
 std::vector<std::string> imported_robots(const std::vector<std::string>& files,
                                          const FileReader& reader, const Limits& limits);
 
-/// The language of a text, as findings in the URDF that is made of it are marked: cases::kOfMjcf or
-/// kOfSdf; null for other texts.
-const Circumstance* language_of_import(std::string_view text);
-
 }  // namespace smurf

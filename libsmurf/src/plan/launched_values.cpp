@@ -19,13 +19,8 @@ namespace {
 
 constexpr std::uint64_t kMostBytesOfRobot = 1U << 20U;
 
-struct Attempt {
-  bool is_complete = false;
-  std::set<std::string> missing;  ///< arguments without a value
-};
-
-Attempt expand_quietly(const std::string& path, LoadContext& context,
-                       const std::vector<xacro::SeenArgument>& values) {
+xacro::Expansion expand_quietly(const std::string& path, LoadContext& context,
+                                const std::vector<xacro::SeenArgument>& values) {
   SourceMap sources;
   DiagnosticSink found(context.limits);
   LoadContext quiet{sources,          context.files,           found,   context.limits,
@@ -36,13 +31,7 @@ Attempt expand_quietly(const std::string& path, LoadContext& context,
   for (const xacro::SeenArgument& one : values) {
     quiet.xacro.arguments.emplace(one.name, one.value);
   }
-  Attempt attempt{load_xacro(path, quiet).is_complete, {}};
-  for (const Diagnostic& one : found.diagnostics()) {
-    if (one.rule != &rules::sml3313_xacro_unknown_argument) continue;
-    const std::size_t begin = one.message.find('`') + 1;
-    attempt.missing.insert(one.message.substr(begin, one.message.find('`', begin) - begin));
-  }
-  return attempt;
+  return load_xacro(path, quiet);
 }
 
 /// The arguments of a file that have no value where they are used, or an empty one, which may stand
@@ -146,20 +135,22 @@ std::vector<xacro::SeenArgument> launched_values(const std::string& path, LoadCo
   const OpenArguments open = open_arguments(path, context);
   Values values(path, open, context);
   for (int i = 0; i < kMostAttempts; ++i) {
-    Attempt attempt = expand_quietly(path, context, values.used());
+    const xacro::Expansion attempt = expand_quietly(path, context, values.used());
     if (attempt.is_complete) return std::move(values.used());
+    std::set<std::string> missing;
     // A missing argument is the first of those that the file does not declare.
-    if (!attempt.missing.empty()) {
-      attempt.missing.insert(open.undeclared.begin(), open.undeclared.end());
+    if (!attempt.missing_argument.empty()) {
+      missing = open.undeclared;
+      missing.insert(attempt.missing_argument);
     }
-    if (!values.add(attempt.missing) && !values.add(open.empty)) break;
+    if (!values.add(missing) && !values.add(open.empty)) break;
   }
   // Some values only go together.
   std::vector<std::vector<xacro::SeenArgument>> sets = values.sets();
   for (auto& set : sets) {
-    const Attempt attempt = expand_quietly(path, context, set);
+    const xacro::Expansion attempt = expand_quietly(path, context, set);
     // With all values, what is wrong is wrong in the robot.
-    if (attempt.is_complete || attempt.missing.empty()) return std::move(set);
+    if (attempt.is_complete || attempt.missing_argument.empty()) return std::move(set);
   }
   return {};
 }
@@ -181,7 +172,7 @@ void report_late_defaults(const std::string& path, const std::vector<xacro::Seen
     if (late.file != path) continue;
     std::vector<xacro::SeenArgument> others = values;
     std::erase_if(others, [&](const auto& one) { return one.name == late.name; });
-    if (!expand_quietly(path, context, others).missing.contains(late.name)) continue;
+    if (expand_quietly(path, context, others).missing_argument != late.name) continue;
     if (!parsed) {
       source = context.sources.add(path, context.files.read(path, kMostBytesOfRobot).text);
       parsed = read_xacro_text(context.sources.text(source));

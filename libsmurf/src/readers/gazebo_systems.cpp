@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/text/lists.hpp"
 #include "base/text/words.hpp"
 
 namespace smurf::gazebo {
@@ -200,13 +201,11 @@ constexpr struct {
 }  // namespace
 
 std::string release_names(std::string_view releases) {
-  std::string all;
+  std::vector<std::string_view> names;
   for (const auto& one : kReleases) {
-    if (releases.find(one.letter) == std::string_view::npos) continue;
-    if (!all.empty()) all += one.letter == releases.back() ? " and " : ", ";
-    all += one.name;
+    if (releases.find(one.letter) != std::string_view::npos) names.push_back(one.name);
   }
-  return all;
+  return enumerated(names);
 }
 
 void mark_missing(std::string_view releases, Diagnostic& found) {

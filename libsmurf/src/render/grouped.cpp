@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/text/counted.hpp"
+#include "base/text/lists.hpp"
 #include "smurf/render.hpp"
 
 namespace smurf {
@@ -44,14 +45,12 @@ std::string list(const std::vector<std::string>& names) {
   }
   const bool has_all = distinct.size() <= kMostListed && distinct.size() == names.size();
   const std::size_t shown = has_all ? distinct.size() : std::min(distinct.size(), kMostListed - 1);
-  std::string text;
-  for (std::size_t i = 0; i < shown; ++i) {
-    if (distinct[i].empty() || distinct[i].size() > kLongestName) return {};
-    const bool is_last = i + 1 == shown && has_all;
-    text += (i == 0 ? "`" : is_last ? " and `" : ", `") + std::string(distinct[i]) + "`";
+  distinct.resize(shown);
+  for (const std::string_view name : distinct) {
+    if (name.empty() || name.size() > kLongestName) return {};
   }
-  if (!has_all) text += " and " + std::to_string(names.size() - shown) + " more";
-  return text;
+  if (has_all) return enumerated(all_quoted(distinct));
+  return listed(all_quoted(distinct)) + " and " + std::to_string(names.size() - shown) + " more";
 }
 
 /// "12 joints (`a`, `b` and 10 more) are fixed in the SDF" for "the joint `a` is fixed in the SDF".

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/text/counted.hpp"
+#include "base/text/lists.hpp"
 #include "render/causes.hpp"
 #include "render/paint.hpp"
 #include "render/printable.hpp"
@@ -299,7 +300,7 @@ class Overview {
       others.resize(kMostOthers);
       others.push_back(std::to_string(more) + " more");
     }
-    return render::wrap("... and the same " + std::string(where) + render::enumerate(others) +
+    return render::wrap("... and the same " + std::string(where) + enumerated(others) +
                             (are_named ? " in this file" : "") + "; --all shows " +
                             (kind.findings.size() == 2 ? "it" : "them"),
                         0, render::kColumns);

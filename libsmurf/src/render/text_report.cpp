@@ -7,12 +7,12 @@
 
 #include "base/findings/rules.hpp"
 #include "base/text/counted.hpp"
+#include "base/text/lists.hpp"
 #include "base/text/quoted.hpp"
 #include "render/advice.hpp"
 #include "render/frame.hpp"
 #include "render/paint.hpp"
 #include "render/printable.hpp"
-#include "render/wrap.hpp"
 #include "smurf/render.hpp"
 
 namespace smurf {
@@ -193,7 +193,7 @@ std::string robots_of_srdfs(const Summary& summary) {
   }
   const bool has_lone = summary.robots_of_srdfs.contains("");
   if (shown.size() > kMostShown) return ", compared with " + counted(shown.size(), "robot");
-  std::string text = shown.empty() ? "" : ", compared with " + render::enumerate(shown);
+  std::string text = shown.empty() ? "" : ", compared with " + enumerated(shown);
   return text + (has_lone ? ", an SRDF without its robot" : "");
 }
 
@@ -230,9 +230,8 @@ std::string not_compared(const Summary& summary) {
     const std::size_t more = files.size() - std::min(files.size(), kMostShown);
     if (more > 0) files.resize(kMostShown);
     if (more > 0) files.push_back(std::to_string(more) + " more");
-    text += (summary.is_strict ? "error: not compared: " : "not compared: ") +
-            render::enumerate(files) + ": " + render::escape(first->reason) + "; " +
-            render::escape(first->next) + "\n";
+    text += (summary.is_strict ? "error: not compared: " : "not compared: ") + enumerated(files) +
+            ": " + render::escape(first->reason) + "; " + render::escape(first->next) + "\n";
   }
   if (groups.size() > kMostReasons) {
     text += "not compared: files with " + counted(groups.size() - kMostReasons, "more reason") +
@@ -248,7 +247,7 @@ std::string companions_of(const Summary& summary) {
     parts.push_back(is_file_name ? std::to_string(count) + " " + std::string(title)
                                  : counted(count, title));
   }
-  return render::enumerate(parts);
+  return enumerated(parts);
 }
 
 }  // namespace
@@ -261,7 +260,7 @@ std::string render_summary(const Summary& summary, const TextStyle& style) {
     found.push_back(paint(Ink::warning, counted(summary.warnings, "warning")));
   }
   if (summary.infos > 0) found.push_back(paint(Ink::info, counted(summary.infos, "info")));
-  std::string out = found.empty() ? "no findings" : "found " + render::enumerate(found);
+  std::string out = found.empty() ? "no findings" : "found " + enumerated(found);
   out += " in " + counted(summary.files, "file");
 
   std::vector<std::string> loaded;

@@ -32,13 +32,4 @@ std::string wrap(std::string_view text, std::size_t indent, std::size_t columns)
   return out + "\n";
 }
 
-std::string enumerate(const std::vector<std::string>& parts) {
-  std::string out;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (i > 0) out += i + 1 == parts.size() ? " and " : ", ";
-    out += parts[i];
-  }
-  return out;
-}
-
 }  // namespace smurf::render

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Word wrap, and lists in a sentence.
+// Word wrap.
 #pragma once
 
 #include <cstddef>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace smurf::render {
 
@@ -15,8 +14,5 @@ inline constexpr std::size_t kColumns = 80;
 /// Breaks the text at spaces into lines of at most `columns`, each indented by `indent` spaces; a
 /// longer word gets a separate line. Keeps line ends of the text. Ends with a line end.
 std::string wrap(std::string_view text, std::size_t indent, std::size_t columns);
-
-/// "a", "a and b", "a, b and c".
-std::string enumerate(const std::vector<std::string>& parts);
 
 }  // namespace smurf::render

@@ -4,6 +4,8 @@
 #include <set>
 
 #include "base/findings/rules.hpp"
+#include "base/ranges.hpp"
+#include "base/sdf_sensor_types.hpp"
 #include "base/text/quoted.hpp"
 #include "base/text/words.hpp"
 #include "sdf/model.hpp"
@@ -236,44 +238,10 @@ class Builder {
   }
 
   void check_sensor(View sensor) {
-    constexpr std::string_view kTypes[] = {"air_pressure",
-                                           "air_speed",
-                                           "altimeter",
-                                           "boundingbox",
-                                           "boundingbox_camera",
-                                           "camera",
-                                           "contact",
-                                           "custom",
-                                           "depth",
-                                           "depth_camera",
-                                           "force_torque",
-                                           "gps",
-                                           "gpu_lidar",
-                                           "gpu_ray",
-                                           "imu",
-                                           "lidar",
-                                           "logical_camera",
-                                           "magnetometer",
-                                           "multicamera",
-                                           "navsat",
-                                           "ray",
-                                           "rfid",
-                                           "rfidtag",
-                                           "rgbd",
-                                           "rgbd_camera",
-                                           "segmentation",
-                                           "segmentation_camera",
-                                           "sonar",
-                                           "thermal",
-                                           "thermal_camera",
-                                           "wide_angle_camera",
-                                           "wideanglecamera",
-                                           "wireless_receiver",
-                                           "wireless_transmitter"};
     const Attribute* type = sensor.attribute("type");
     if (type == nullptr || type->value().empty()) return;  // reported with the attributes
-    if (std::find(std::begin(kTypes), std::end(kTypes), type->value()) != std::end(kTypes)) return;
-    const auto near = reporter_.context().sink.suggest(type->value(), kTypes);
+    if (ranges::contains(kSdfSensorTypes, type->value())) return;
+    const auto near = reporter_.context().sink.suggest(type->value(), kSdfSensorTypes);
     reporter_.refuse(type->value_span(), quoted(type->value()) + " is no type of a sensor",
                      near ? "did you mean " + quoted(*near) + "?"
                           : "write `camera`, `imu`, `lidar` or another known type");

@@ -32,6 +32,7 @@ Imported expand(SourceId root, Context& context) {
   Imported result;
   xacro::Expansion& robot = result.robot;
   robot.root = root;
+  robot.language = Language::sdf;
   Reporter reporter(context, kFamily);
   Files files(root, reporter);
   Model model;
@@ -51,6 +52,7 @@ Imported expand(SourceId root, Context& context) {
 World expand_world(SourceId root, Context& context) {
   World result;
   result.scene.root = root;
+  result.scene.language = Language::sdf;
   Reporter reporter(context, kFamily);
   Files files(root, reporter);
   Model model;

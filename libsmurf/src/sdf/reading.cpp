@@ -82,12 +82,6 @@ std::string_view text_in(View element, std::string_view child) {
   return text_of(element.child(child));
 }
 
-std::string_view attribute_of(View element, std::string_view name) {
-  if (!element) return {};
-  const Attribute* attribute = element.attribute(name);
-  return attribute != nullptr ? attribute->value() : std::string_view();
-}
-
 std::optional<double> leading_number(std::string_view text) { return take_number(text); }
 
 std::vector<double> leading_numbers(std::string_view text, std::size_t most) {

@@ -14,6 +14,7 @@
 #include "imports/traced_xml.hpp"
 #include "smurf/pose.hpp"
 #include "smurf/xml.hpp"
+#include "syntax/xml_values.hpp"
 
 namespace smurf::sdformat {
 
@@ -34,7 +35,6 @@ inline constexpr double kUnlimited = 1e16;
 std::string_view text_of(View element);
 /// The text of the first child of a name, trimmed.
 std::string_view text_in(View element, std::string_view child);
-std::string_view attribute_of(View element, std::string_view name);
 
 /// The number at the beginning of a text, as strtod() reads it: "1,5" is 1, "0x10" is 16.
 std::optional<double> leading_number(std::string_view text);

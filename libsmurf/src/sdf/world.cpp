@@ -138,6 +138,7 @@ class WorldWriter {
     for (const Link& link : model.links) add_grounds(model, link, frames, part);
     xacro::Expansion robot;
     robot.root = result_.scene.root;
+    robot.language = Language::sdf;
     robot.frames = std::move(model.frames);
     SourceMap& sources = reporter_.context().sources;
     std::string text = write_robot(model, files_, reporter_, robot);

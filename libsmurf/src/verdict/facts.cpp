@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which fact applies to a place of a finding.
-#include <algorithm>
-#include <iterator>
 #include <string_view>
 #include <utility>
 
@@ -144,15 +142,8 @@ bool reads_itself(const Reader& reader, const Circumstance& language) {
 }
 
 bool is_taken_over(const Rule& rule, const Circumstance& language) {
-  // XML, colours, the files of meshes, the findings of the import itself.
-  constexpr std::string_view kOfFiles[] = {
-      "SML10",   "SML1604", "SML1605", "SML1607", "SML1614", "SML1616", "SML1617", "SML1619",
-      "SML1625", "SML1641", "SML1643", "SML1644", "SML1645", "SML1654", "SML1707", "SML93"};
-  constexpr std::string_view kOfGazebo[] = {"SML1447", "SML1458", "SML1459", "SML39"};
-  const auto is_of = [&](std::string_view family) { return rule.id.starts_with(family); };
-  return std::any_of(std::begin(kOfFiles), std::end(kOfFiles), is_of) ||
-         (&language == &cases::kOfSdf &&
-          std::any_of(std::begin(kOfGazebo), std::end(kOfGazebo), is_of));
+  return rule.taken_over == TakenOver::always ||
+         (rule.taken_over == TakenOver::from_sdf && &language == &cases::kOfSdf);
 }
 
 const Fact* find_fact(const Reader& reader, const Diagnostic& diagnostic, const PlaceView& place) {

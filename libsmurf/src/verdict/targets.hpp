@@ -13,9 +13,7 @@ namespace smurf {
 /// What another file or argument may settle: an info for every target.
 inline constexpr Circumstance kExcused{"excused"};
 
-/// Whether a rule asks for something that the URDF of a file takes over from it as it is: XML,
-/// meshes and textures, and the contents of `<gazebo>` from SDF. `language`: cases::kOfMjcf or
-/// kOfSdf.
+/// See Rule::taken_over. `language`: cases::kOfMjcf or kOfSdf.
 bool is_taken_over(const Rule& rule, const Circumstance& language);
 /// Whether our facts about a reader are about files of such a language itself, and not about the
 /// URDF of it.

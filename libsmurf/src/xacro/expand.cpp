@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The elements of xacro, in the order of the file.
 #include <algorithm>
+#include <utility>
 
 #include "base/files/path.hpp"
 #include "base/findings/limits.hpp"
@@ -126,6 +127,7 @@ bool Expander::report() {
   for (const auto& [place, text] : failure.labels) diagnostic.label(place, text);
   if (failure.which != nullptr) diagnostic.when(*failure.which);
   if (!failure.argument.empty()) explain_arguments(failure, diagnostic);
+  result_.missing_argument = std::move(failure.argument);
   add_frames(diagnostic);
   return false;
 }

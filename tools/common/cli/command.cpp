@@ -7,6 +7,7 @@
 
 #include "base/numbers/numbers.hpp"
 #include "base/text/did_you_mean.hpp"
+#include "base/text/lists.hpp"
 #include "render/wrap.hpp"
 
 namespace smurf::tools {
@@ -155,9 +156,7 @@ std::vector<std::string_view> split_items(std::string_view list) {
 }
 
 std::string none_of(std::string_view value, std::span<const std::string_view> known) {
-  std::string words;
-  for (const std::string_view word : known) words.append(words.empty() ? "" : ", ").append(word);
-  return "'" + std::string(value) + "' is not one of " + words + did_you_mean(value, known);
+  return "'" + std::string(value) + "' is not one of " + listed(known) + did_you_mean(value, known);
 }
 
 }  // namespace smurf::tools

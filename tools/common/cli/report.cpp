@@ -6,6 +6,7 @@
 
 #include "base/files/system.hpp"
 #include "base/text/counted.hpp"
+#include "base/text/lists.hpp"
 #include "plan/repository.hpp"
 
 namespace smurf::tools {
@@ -176,11 +177,7 @@ std::vector<std::string_view> report_format_names() {
 
 std::string_view report_option_help() {
   static const std::string help = [] {
-    std::string text;
-    for (const std::string_view name : report_format_names()) {
-      text.append(text.empty() ? "" : ", ").append(name);
-    }
-    return "Choose the format of the report: " + text +
+    return "Choose the format of the report: " + listed(report_format_names()) +
            "; `help` describes them. May be repeated, with a FILE for all but one.";
   }();
   return help;

@@ -26,11 +26,6 @@ int copy_all(int from, int to) {
 
 }  // namespace
 
-void Descriptor::reset(int number) {
-  if (number_ >= 0) sys::close(number_);
-  number_ = number;
-}
-
 int write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t count = sys::write(descriptor, text.data(), text.size());

@@ -8,28 +8,10 @@
 #include <string_view>
 #include <utility>
 
+#include "base/files/descriptor.hpp"
 #include "base/files/system.hpp"
 
 namespace smurf::tools {
-
-/// An open file or folder; negative: none.
-class Descriptor {
- public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  ~Descriptor() { reset(); }
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    reset(std::exchange(other.number_, -1));
-    return *this;
-  }
-
-  int number() const { return number_; }
-  bool is_open() const { return number_ >= 0; }
-  void reset(int number = -1);
-
- private:
-  int number_;
-};
 
 /// Writes the whole text; 0 or an errno.
 int write_all(int descriptor, std::string_view text);

@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "base/numbers/numbers.hpp"
-#include "base/text/quoted.hpp"
+#include "base/text/lists.hpp"
 #include "base/text/words.hpp"
 
 namespace smurf {
@@ -172,9 +172,7 @@ std::string describe(const ValueCondition& condition) {
   case ValueCondition::Kind::size: return bound + " values";
   case ValueCondition::Kind::one_of: break;
   }
-  std::string all;
-  for (const std::string_view one : condition.texts) all += (all.empty() ? "" : ", ") + quoted(one);
-  return "one of " + all;
+  return "one of " + listed(all_quoted(condition.texts));
 }
 
 const ControllerClass* find_controller_class(std::string_view type) {
@@ -240,14 +238,14 @@ std::string_view parameter_type_name(char type) {
 
 std::string distribution_names(std::string_view distributions) {
   if (distributions == "hjkr") return {};
-  std::string all;
+  std::vector<std::string_view> names;
   for (const char one : distributions) {
-    const std::string_view name =
-        one == 'h' ? "Humble" : (one == 'j' ? "Jazzy" : (one == 'k' ? "Kilted" : "Rolling"));
-    if (!all.empty()) all += one == distributions.back() ? " and " : ", ";
-    all += name;
+    names.push_back(one == 'h'   ? "Humble"
+                    : one == 'j' ? "Jazzy"
+                    : one == 'k' ? "Kilted"
+                                 : "Rolling");
   }
-  return all;
+  return enumerated(names);
 }
 
 }  // namespace smurf

@@ -32,10 +32,6 @@ std::optional<std::string> place_by_name(const std::string& path) {
 
 }  // namespace
 
-Descriptor::~Descriptor() {
-  if (number_ >= 0) sys::close(number_);
-}
-
 FoundFile::Opened FoundFile::open_place(const std::string& path) {
   const int opened = sys::open_unlinked(path);
   if (opened >= 0 || errno != ELOOP) return {opened, true};

@@ -5,22 +5,10 @@
 #include <optional>
 #include <string>
 
+#include "base/files/descriptor.hpp"
 #include "base/files/system.hpp"
 
 namespace smurf {
-
-/// Owns a file descriptor; -1 is none.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor();
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
 
 /// The file at a path. Devices and pipes are not opened. A file that is opened later is the file
 /// that was found, even if the path has changed.

@@ -23,16 +23,4 @@ std::string shortened(std::string_view text, std::size_t most) {
 
 std::string quoted(std::string_view text) { return "`" + shortened(text, kMostQuoted) + "`"; }
 
-std::string choices(std::span<const std::string_view> names) {
-  constexpr std::size_t kMost = 8;
-  const std::size_t shown = names.size() > kMost ? kMost - 1 : names.size();
-  std::string text;
-  for (std::size_t i = 0; i < shown; ++i) {
-    const bool is_last = i + 1 == names.size();
-    text += (i == 0 ? "" : is_last ? " or " : ", ") + quoted(names[i]);
-  }
-  if (shown < names.size()) text += " or one of " + std::to_string(names.size() - shown) + " more";
-  return text;
-}
-
 }  // namespace smurf

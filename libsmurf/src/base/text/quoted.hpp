@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -17,9 +16,5 @@ std::string quoted(std::string_view text);
 /// The namespace of std::string has std::quoted(), which is the better match without this.
 inline std::string quoted(const std::string& text) { return quoted(std::string_view(text)); }
 inline std::string quoted(const char* text) { return quoted(std::string_view(text)); }
-
-/// The names that a reader may choose from: "`base`, `arm` or `hand`", and of more than eight
-/// "`a`, `b`, ..., or one of 12 more".
-std::string choices(std::span<const std::string_view> names);
 
 }  // namespace smurf

@@ -292,8 +292,7 @@ void move_to_variant(Accompanied& robot, std::size_t index, const Arguments& arg
 
 void split_variants(Accompanied& robot, LoadContext& context,
                     const std::map<std::string, std::vector<std::string>>& values) {
-  const bool is_xacro = robot.model.robot && xacro::is_xacro_file(robot.model.urdf_path);
-  if (!is_xacro) return;
+  if (!robot.model.robot || robot.model.language != Language::xacro) return;
   std::optional<VariantSearch> search;
   std::vector<Companion>& files = robot.companions.files;
   for (std::size_t i = 0; i < files.size();) {

@@ -64,8 +64,7 @@ class Loader {
   Loader(const LinkedModel& model, LoadContext& context) : model_(model), context_(context) {}
 
   Surroundings run() {
-    found_.robot_path = model_.urdf_path;
-    found_.is_xacro = xacro::is_xacro_file(model_.urdf_path);
+    found_.is_xacro = model_.language == Language::xacro;
     found_.is_expanded = model_.robot.has_value();
     const CompanionPlaces places = companion_places(std::string(path::parent(model_.urdf_path)),
                                                     context_.files, search_of(context_));

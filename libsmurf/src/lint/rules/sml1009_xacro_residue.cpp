@@ -75,6 +75,7 @@ extern constinit const Rule sml1009_xacro_residue{
     .remedy = "Name the file .urdf.xacro, and make the URDF with smurf2urdf.",
     .sources = "25 of 322 files of the Tola/Corke dataset.",
     .facts = kFacts,
-    .blocks_building = true};
+    .blocks_building = true,
+    .taken_over = TakenOver::always};
 
 }  // namespace smurf::rules::sml1009_xacro_residue_file

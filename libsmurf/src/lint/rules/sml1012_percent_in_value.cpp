@@ -55,6 +55,7 @@ extern constinit const Rule sml1012_percent_in_value{
     .remedy = "Remove the `%`.",
     .sources = "fixed in 5.1.0 (urdfdom pull requests 243, 244).",
     .facts = kFacts,
-    .blocks_building = true};
+    .blocks_building = true,
+    .taken_over = TakenOver::always};
 
 }  // namespace smurf::rules::sml1012_percent_in_value_file

@@ -131,6 +131,7 @@ extern constinit const Rule sml1447_gazebo_value{
         "An empty `mu1`, or a word in `dampingFactor`, ends the simulator. Other elements are read as SDF, which does not tolerate wrong types, values or names.",
     .remedy = "Write the element as the specification of SDF says.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .taken_over = TakenOver::from_sdf};
 
 }  // namespace smurf::rules::sml1447_gazebo_value_file

@@ -169,6 +169,7 @@ extern constinit const Rule sml1458_sensor_part_unknown{
     .remedy = "Correct the name, or move the element to where SDF has it.",
     .sources = "SDF 1.7 to 1.12, sensor.sdf; gazebo_ros_pkgs issue 1187.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .taken_over = TakenOver::from_sdf};
 
 }  // namespace smurf::rules::sml1458_sensor_part_unknown_file

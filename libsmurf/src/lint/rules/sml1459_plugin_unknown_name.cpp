@@ -165,6 +165,7 @@ extern constinit const Rule sml1459_plugin_unknown_name{
     .sources =
         "gazebo_ros_pkgs issue 609. A guess: the name of the element ends in `joint`, `link` or `body`, with or without `Name`.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .taken_over = TakenOver::from_sdf};
 
 }  // namespace smurf::rules::sml1459_plugin_unknown_name_file

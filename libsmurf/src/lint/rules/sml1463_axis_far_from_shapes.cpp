@@ -5,6 +5,7 @@
 #include "base/numbers/numbers.hpp"
 #include "base/numbers/vectors.hpp"
 #include "base/ranges.hpp"
+#include "link/link_overlaps.hpp"
 #include "lint/rigid_shapes.hpp"
 
 namespace smurf::rules::sml1463_axis_far_from_shapes_file {
@@ -99,7 +100,7 @@ void check(const LinkedModel& model, Findings& findings) {
   }
   if (doubtful.empty()) return;
   const auto poses = forward_kinematics(model, {});
-  const std::vector<std::size_t> body = rigid_bodies(model);
+  const std::vector<std::size_t> body = bodies_of(model);
   const std::vector<RigidShape> shapes = rigid_shapes(model, poses, body);
   if (shapes.empty()) return;
   for (const std::size_t joint : doubtful) {

@@ -3,44 +3,19 @@
 
 #include "base/findings/readers.hpp"
 #include "base/ranges.hpp"
+#include "base/sdf_sensor_types.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1465_sensor_in_link_file {
 namespace {
 
-/// Types of sensors of SDF. The `sensor` that URDF once had holds a `camera` or `ray`, and no type.
-constexpr std::string_view kTypes[] = {"air_pressure",
-                                       "air_speed",
-                                       "altimeter",
-                                       "boundingbox_camera",
-                                       "camera",
-                                       "contact",
-                                       "depth",
-                                       "depth_camera",
-                                       "force_torque",
-                                       "gps",
-                                       "gpu_lidar",
-                                       "gpu_ray",
-                                       "imu",
-                                       "lidar",
-                                       "logical_camera",
-                                       "magnetometer",
-                                       "multicamera",
-                                       "navsat",
-                                       "ray",
-                                       "rfid",
-                                       "rgbd_camera",
-                                       "segmentation_camera",
-                                       "sonar",
-                                       "thermal_camera",
-                                       "wireless_receiver"};
-
 void check(const LinkedModel& model, Findings& findings) {
   for_each_link(model, [&](const urdf::Link& link) {
     for (const xml::View child : xml::View(model.robot->document, link.element)) {
       if (child.name() != "sensor") continue;
+      // The `sensor` that URDF once had holds a `camera` or `ray`, and no type.
       const xml::Attribute* type = child.attribute("type");
-      if (type == nullptr || !ranges::contains(kTypes, type->value())) continue;
+      if (type == nullptr || !ranges::contains(kSdfSensorTypes, type->value())) continue;
       findings
           .report(child.name_span(), "a `sensor` of a URDF stands in `<gazebo reference=\"" +
                                          std::string(link.name.value_or("LINK")) +

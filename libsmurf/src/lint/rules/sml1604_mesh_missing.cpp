@@ -221,6 +221,7 @@ extern constinit const Rule sml1604_mesh_missing{
         "Correct the path (relative to the URDF), add the file, or name the package's folder with "
         "`--package NAME=DIR`.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .taken_over = TakenOver::always};
 
 }  // namespace smurf::rules::sml1604_mesh_missing_file

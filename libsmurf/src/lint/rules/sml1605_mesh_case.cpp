@@ -61,6 +61,7 @@ extern constinit const Rule sml1605_mesh_case{
     .remedy = "Write the name of the file as it is on disk.",
     .sources = "executed on Linux.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .taken_over = TakenOver::always};
 
 }  // namespace smurf::rules::sml1605_mesh_case_file

@@ -6,7 +6,6 @@
 #include "lint/mesh_queries.hpp"
 #include "lint/ros_paths.hpp"
 #include "readers/circumstances.hpp"
-#include "smurf/xacro.hpp"
 
 namespace smurf::rules::sml1607_mesh_absolute_file {
 namespace {
@@ -24,7 +23,7 @@ void check(const LinkedModel& model, Findings& findings) {
     // What `$(find PACKAGE)` of a xacro stands for is in a package.
     const bool is_in_package = first.exists && !first.meant.empty();
     Diagnostic& diagnostic = findings.report(
-        first.span, is_in_package && xacro::is_xacro_file(model.urdf_path)
+        first.span, is_in_package && model.language == Language::xacro
                         ? "RViz and MoveIt do not open " + quoted(first.filename) +
                               ", which is a path and no address"
                         : "the path " + quoted(first.filename) + " exists on one machine only");
@@ -84,6 +83,7 @@ extern constinit const Rule sml1607_mesh_absolute{
     .why = "The file is found on one machine only; elsewhere it is missing.",
     .remedy = "Write a path relative to the URDF, or package://.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .taken_over = TakenOver::always};
 
 }  // namespace smurf::rules::sml1607_mesh_absolute_file

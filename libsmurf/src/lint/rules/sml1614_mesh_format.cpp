@@ -66,6 +66,7 @@ extern constinit const Rule sml1614_mesh_format{
     .remedy = "Export an STL, OBJ or COLLADA file.",
     .sources = "Loaders of assimp, Drake, MuJoCo, Bullet, urdf-loader and MARS, read.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .taken_over = TakenOver::always};
 
 }  // namespace smurf::rules::sml1614_mesh_format_file

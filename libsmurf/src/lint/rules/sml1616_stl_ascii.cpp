@@ -32,6 +32,7 @@ extern constinit const Rule sml1616_stl_ascii{.id = "SML1616",
                                               .summary = "The collision mesh is an ASCII STL file.",
                                               .remedy = "Export binary STL.",
                                               .check_model = check,
-                                              .facts = kFacts};
+                                              .facts = kFacts,
+                                              .taken_over = TakenOver::always};
 
 }  // namespace smurf::rules::sml1616_stl_ascii_file

@@ -28,6 +28,7 @@ extern constinit const Rule sml1617_stl_binary_named_solid{
     .remedy = "Export it again with another header.",
     .sources = "assimp STLLoader.cpp (compares the size); 21 of 1690 public files.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .taken_over = TakenOver::always};
 
 }  // namespace smurf::rules::sml1617_stl_binary_named_solid_file

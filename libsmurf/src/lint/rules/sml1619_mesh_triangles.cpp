@@ -85,6 +85,7 @@ extern constinit const Rule sml1619_mesh_triangles{
                "meshes: 95 % below 34850, at most 82075.",
     .check_model = check,
     .facts = kFacts,
-    .about = About::robot};
+    .about = About::robot,
+    .taken_over = TakenOver::always};
 
 }  // namespace smurf::rules::sml1619_mesh_triangles_file

@@ -116,6 +116,7 @@ extern constinit const Rule sml1625_mesh_flat{.id = "SML1625",
                                               .remedy =
                                                   "Give the mesh a thickness, or use a thin box.",
                                               .check_model = check,
-                                              .facts = kFacts};
+                                              .facts = kFacts,
+                                              .taken_over = TakenOver::always};
 
 }  // namespace smurf::rules::sml1625_mesh_flat_file

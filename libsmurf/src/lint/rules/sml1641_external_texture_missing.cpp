@@ -39,6 +39,7 @@ extern constinit const Rule sml1641_external_texture_missing{
     .remedy = "Add the file beside the mesh, or delete the reference from it.",
     .sources =
         "OBJ (mtllib, map_Kd), COLLADA (init_from) and glTF (images) by their specifications.",
-    .check_model = check};
+    .check_model = check,
+    .taken_over = TakenOver::always};
 
 }  // namespace smurf::rules::sml1641_external_texture_missing_file

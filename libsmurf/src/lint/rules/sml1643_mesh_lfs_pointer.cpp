@@ -39,6 +39,7 @@ extern constinit const Rule sml1643_mesh_lfs_pointer{
     .remedy = "Run `git lfs pull`.",
     .sources = "Git LFS pointer format; pollen-robotics/reachy_mini issue 760.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .taken_over = TakenOver::always};
 
 }  // namespace smurf::rules::sml1643_mesh_lfs_pointer_file

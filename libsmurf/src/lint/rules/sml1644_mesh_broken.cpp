@@ -142,6 +142,7 @@ extern constinit const Rule sml1644_mesh_broken{
     .remedy = "Restore the file, or export it again.",
     .sources = "Bullet LoadMeshFromSTL.h and assimp STLLoader.cpp compare the size with the count.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .taken_over = TakenOver::always};
 
 }  // namespace smurf::rules::sml1644_mesh_broken_file

@@ -49,6 +49,7 @@ extern constinit const Rule sml1645_mesh_format_mismatch{
         "Rename the file, or export it again; perhaps a web page was saved instead of the file.",
     .sources = "MuJoCo, Bullet, Drake, urdf-loader and MARS choose by the extension.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .taken_over = TakenOver::always};
 
 }  // namespace smurf::rules::sml1645_mesh_format_mismatch_file

@@ -55,6 +55,7 @@ extern constinit const Rule sml1654_concave_collision{
     .needs_target = true,
     .tolerance = {.value = kGapsInHull,
                   .meaning = "the volume of the hull, as a multiple of that of the mesh"},
-    .facts = kFacts};
+    .facts = kFacts,
+    .taken_over = TakenOver::always};
 
 }  // namespace smurf::rules::sml1654_concave_collision_file

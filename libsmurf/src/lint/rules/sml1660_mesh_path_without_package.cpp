@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/findings/readers.hpp"
 #include "lint/ros_paths.hpp"
 
 namespace smurf::rules::sml1660_mesh_path_without_package_file {
@@ -9,13 +8,6 @@ void check(const LinkedModel& model, Findings& findings) {
   if (model.has_main) return;  // MARS reads relative paths only: SML1608
   report_lost_to_ros(model, true, findings);
 }
-
-constexpr Fact kFacts[] = {
-    {&readers::urdf, Effect::takes, "opens the file",
-     "Bullet, DART, Drake, Newton and Pinocchio, run"},
-    {&readers::ros, Effect::loses, kOpensAddressesOnly, kRetriever},
-    {&readers::moveit, Effect::loses, kOpensAddressesOnly, kRetriever},
-};
 
 }  // namespace
 
@@ -32,6 +24,6 @@ extern constinit const Rule sml1660_mesh_path_without_package{
     .sources = "resource_retriever, which RViz and MoveIt use; collada_urdf issue 33, kobuki_ros "
                "issue 51, sdformat_urdf issue 25.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kLostToRos};
 
 }  // namespace smurf::rules::sml1660_mesh_path_without_package_file

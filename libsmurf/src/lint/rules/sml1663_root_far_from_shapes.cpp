@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/numbers/numbers.hpp"
+#include "link/link_overlaps.hpp"
 #include "lint/model_answers.hpp"
 #include "lint/rigid_shapes.hpp"
 
@@ -21,7 +22,7 @@ void check(const LinkedModel& model, Findings& findings) {
   // The frame may be that of the feet, or of the middle of the robot.
   const auto poses = forward_kinematics(model, {});
   std::optional<Box> all;
-  for (const RigidShape& shape : rigid_shapes(model, poses, rigid_bodies(model))) {
+  for (const RigidShape& shape : rigid_shapes(model, poses, bodies_of(model))) {
     if (!shape.is_known) return;
     if (shape.box) all = all ? united(*all, *shape.box) : *shape.box;
   }

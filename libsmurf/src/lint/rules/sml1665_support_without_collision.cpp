@@ -7,6 +7,7 @@
 #include "base/files/path.hpp"
 #include "base/findings/readers.hpp"
 #include "base/ranges.hpp"
+#include "link/link_overlaps.hpp"
 #include "lint/rigid_shapes.hpp"
 
 namespace smurf::rules::sml1665_support_without_collision_file {
@@ -37,7 +38,7 @@ bool is_support(const urdf::Link& link) {
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot || !ranges::any_of(model.robot->links, is_support)) return;
   const auto poses = forward_kinematics(model, {});
-  const std::vector<std::size_t> body = rigid_bodies(model);
+  const std::vector<std::size_t> body = bodies_of(model);
   const std::vector<RigidShape> shapes = rigid_shapes(model, poses, body);
   if (!ranges::any_of(shapes, [](const RigidShape& one) { return one.has_collision; })) return;
   std::vector<bool> has_child(model.robot->links.size());

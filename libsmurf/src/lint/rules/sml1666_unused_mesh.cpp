@@ -4,6 +4,7 @@
 
 #include "base/files/path.hpp"
 #include "base/text/counted.hpp"
+#include "base/text/lists.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1666_unused_mesh_file {
@@ -13,16 +14,14 @@ void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot || model.unused_meshes.empty()) return;
   constexpr std::size_t kMostNames = 4;
   const std::size_t count = model.unused_meshes.size();
-  std::string names;
-  for (std::size_t i = 0; i < std::min(count, kMostNames); ++i) {
-    names += (i == 0 ? "" : ", ") + quoted(path::file_name(model.unused_meshes[i]));
-  }
-  if (count > kMostNames) names += " and " + counted(count - kMostNames, "other");
+  std::vector<std::string> names;
+  for (const std::string& mesh : model.unused_meshes)
+    names.push_back(quoted(path::file_name(mesh)));
   const Field<std::string>& name = model.robot->name;
   findings
       .report(name.span.empty() ? tag_name(model, model.robot->document.root) : name.span,
               "no link uses " + counted(count, "mesh", "meshes") +
-                  " beside those of the robot: " + names)
+                  " beside those of the robot: " + shortlist(names, kMostNames, "other", "others"))
       .help(
           "delete them, or add the links that are missing: exporters leave out parts whose joints "
           "they do not know");

@@ -44,6 +44,7 @@ extern constinit const Rule sml1707_rgba_range{
     .why = "The components of a colour go from 0 to 1, not to 255.",
     .remedy = "Divide 0-255 values by 255.",
     .check_model = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .taken_over = TakenOver::always};
 
 }  // namespace smurf::rules::sml1707_rgba_range_file

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "base/findings/readers.hpp"
 #include "lint/ros_paths.hpp"
 
 namespace smurf::rules::sml1918_mesh_path_relative_unread_file {
@@ -8,13 +7,6 @@ namespace {
 void check(const LinkedModel& model, Findings& findings) {
   report_lost_to_ros(model, false, findings);
 }
-
-constexpr Fact kFacts[] = {
-    {&readers::urdf, Effect::takes, "opens the file",
-     "Bullet, DART, Drake, Newton and Pinocchio, run"},
-    {&readers::ros, Effect::loses, kOpensAddressesOnly, kRetriever},
-    {&readers::moveit, Effect::loses, kOpensAddressesOnly, kRetriever},
-};
 
 }  // namespace
 
@@ -28,6 +20,6 @@ extern constinit const Rule sml1918_mesh_path_relative_unread{
     .sources = "resource_retriever, which RViz and MoveIt use.",
     .check_model = check,
     .needs_target = true,
-    .facts = kFacts};
+    .facts = kLostToRos};
 
 }  // namespace smurf::rules::sml1918_mesh_path_relative_unread_file

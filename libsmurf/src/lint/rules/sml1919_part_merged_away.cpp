@@ -5,6 +5,7 @@
 #include "base/files/path.hpp"
 #include "base/findings/readers.hpp"
 #include "base/ranges.hpp"
+#include "base/text/lists.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1919_part_merged_away_file {
@@ -27,7 +28,7 @@ bool is_kept(const LinkedModel& model, const urdf::Joint& joint) {
 
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
-  std::vector<const urdf::Link*> merged;
+  std::vector<std::string> merged;
   const urdf::Joint* first = nullptr;
   for (std::size_t i = 0; i < model.robot->joints.size(); ++i) {
     const urdf::Joint& joint = model.robot->joints[i];
@@ -39,18 +40,13 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!is_end(link) || link.collisions.empty() || is_kept(model, joint)) continue;
     if (!model.tree.parent_joint[to_size(*parent)]) continue;
     if (merged.empty()) first = &joint;
-    merged.push_back(&link);
+    merged.push_back(quoted(link.name.value_or("")));
   }
   if (merged.empty()) return;
-  std::string names;
   constexpr std::size_t kShown = 6;
-  for (std::size_t i = 0; i < std::min(merged.size(), kShown); ++i) {
-    names += (i > 0 ? ", " : "") + quoted(merged[i]->name.value_or(""));
-  }
-  if (merged.size() > kShown) names += " and " + std::to_string(merged.size() - kShown) + " more";
   findings
       .report(name_place(model, *first),
-              "Isaac Lab merges " + names +
+              "Isaac Lab merges " + shortlist(merged, kShown) +
                   (merged.size() == 1 ? " into its parent" : " into their parents"))
       .help("add `dont_collapse=\"true\"` to the fixed joint, or set `merge_fixed_joints=False`");
 }

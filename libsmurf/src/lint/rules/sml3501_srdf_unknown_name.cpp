@@ -8,6 +8,7 @@
 
 #include "base/ranges.hpp"
 #include "base/text/counted.hpp"
+#include "base/text/lists.hpp"
 #include "lint/companions/srdf_queries.hpp"
 #include "lint/reference_queries.hpp"
 
@@ -98,10 +99,7 @@ class Checker {
   /// The SRDF is for other arguments, which only launch files may know.
   void report_variants() {
     if (variants_.empty()) return;
-    std::string names;
-    for (const std::string_view name : variants_) {
-      names += (names.empty() ? "" : ", ") + quoted(name);
-    }
+    const std::string names = listed(all_quoted(variants_));
     Diagnostic& found = findings_.report(
         first_of_variants_, "the SRDF does not fit `" + model_.urdf_path +
                                 "`, as it is expanded here: it has no " + shortened(names, 200));

@@ -7,7 +7,6 @@
 #include "base/text/counted.hpp"
 #include "base/text/words.hpp"
 #include "lint/companions/ros2_control.hpp"
-#include "smurf/xacro.hpp"
 
 namespace smurf::rules::sml3607_hardware_limit_file {
 namespace {
@@ -246,7 +245,7 @@ void check_above(const HardwarePart& part, const std::string& title, Repeated& a
 }
 
 void check(const LinkedModel& model, const Companions&, Findings& findings) {
-  const bool is_xacro = xacro::is_xacro_file(model.urdf_path);
+  const bool is_xacro = model.language == Language::xacro;
   for (const Hardware& hardware : hardware_of(model)) {
     Repeated wrong, wider, continuous, other, above;
     for (const HardwarePart& part : hardware.parts) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/findings/uncertain.hpp"
+#include "base/text/lists.hpp"
 #include "base/text/words.hpp"
 #include "lint/companions/controllers.hpp"
 #include "lint/companions/frames.hpp"
@@ -180,8 +181,7 @@ class Check {
       return;
     }
     soften(found);
-    std::string all;
-    for (const std::string_view one : known) all += (all.empty() ? "" : ", ") + quoted(one);
+    const std::string all = listed(all_quoted(known));
     found.help(all.empty()
                    ? "add it to `ros2_control`"
                    : "write one of " + shortened(all, 200) + ", or add it to `ros2_control`");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "base/text/lists.hpp"
 #include "lint/companions/moveit_files.hpp"
 
 namespace smurf::rules::sml3802_moveit_unknown_name_file {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text/lists.hpp"
 #include "base/text/quoted.hpp"
 #include "lint/companions/controllers.hpp"
 #include "lint/companions/moveit_files.hpp"
@@ -80,8 +81,7 @@ void check_group(const std::set<std::string_view>& joints, const std::string& gr
       best = &one;
   }
   if (best == nullptr) return;
-  std::string names;
-  for (const std::string_view one : missing) names += (names.empty() ? "" : ", ") + quoted(one);
+  const std::string names = listed(all_quoted(missing));
   told.insert(missing.begin(), missing.end());
   findings
       .report(best->joints.key_span(),

@@ -3,6 +3,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text/lists.hpp"
 #include "base/text/words.hpp"
 #include "lint/companions/controllers.hpp"
 #include "lint/companions/frames.hpp"
@@ -23,10 +24,8 @@ void visit(yaml::View mapping, const std::vector<std::string_view>& groups, Find
     Diagnostic& found =
         findings.report(member.span(), "the SRDF of the robot has no group " + quoted(name));
     const auto near = findings.suggest(name, groups);
-    std::string all;
-    for (const std::string_view one : groups) all += (all.empty() ? "" : ", ") + quoted(one);
     found.help(near ? "did you mean " + quoted(*near) + "?"
-                    : "write one of " + shortened(all, 200));
+                    : "write one of " + shortened(listed(all_quoted(groups)), 200));
   }
 }
 

@@ -106,6 +106,7 @@ extern constinit const Rule sml3901_gazebo_unknown_system{
     .remedy = "Write the name of the library and the class that it has.",
     .sources = "gz-sim, branches ign-gazebo6 to gz-sim10: src/systems, SystemLoader.cc.",
     .check_companions = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .taken_over = TakenOver::from_sdf};
 
 }  // namespace smurf::rules::sml3901_gazebo_unknown_system_file

@@ -163,6 +163,7 @@ extern constinit const Rule sml3902_gazebo_release{
     .remedy = "Write what the release reads.",
     .check_companions = check,
     .needs_target = true,
-    .facts = kFacts};
+    .facts = kFacts,
+    .taken_over = TakenOver::from_sdf};
 
 }  // namespace smurf::rules::sml3902_gazebo_release_file

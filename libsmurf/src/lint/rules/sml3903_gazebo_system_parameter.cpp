@@ -162,6 +162,7 @@ extern constinit const Rule sml3903_gazebo_system_parameter{
     .why = "Systems ignore unknown parameters without a message.",
     .remedy = "Write the parameter that the system reads.",
     .check_companions = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .taken_over = TakenOver::from_sdf};
 
 }  // namespace smurf::rules::sml3903_gazebo_system_parameter_file

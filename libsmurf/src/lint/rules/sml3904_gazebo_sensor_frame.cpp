@@ -92,6 +92,7 @@ extern constinit const Rule sml3904_gazebo_sensor_frame{
     .why = "RViz and navigation cannot place the data.",
     .remedy = "Name a link of the robot in `gz_frame_id`.",
     .check_companions = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .taken_over = TakenOver::from_sdf};
 
 }  // namespace smurf::rules::sml3904_gazebo_sensor_frame_file

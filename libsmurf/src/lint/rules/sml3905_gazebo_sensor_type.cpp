@@ -39,6 +39,7 @@ extern constinit const Rule sml3905_gazebo_sensor_type{
     .remedy = "Write `gpu_lidar`.",
     .check_companions = check,
     .needs_target = true,
-    .facts = kFacts};
+    .facts = kFacts,
+    .taken_over = TakenOver::from_sdf};
 
 }  // namespace smurf::rules::sml3905_gazebo_sensor_type_file

@@ -68,6 +68,7 @@ extern constinit const Rule sml3906_gazebo_misplaced{
     .summary = "An element for Gazebo stands where Gazebo does not read it.",
     .remedy = "Move it to where Gazebo reads it.",
     .check_companions = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .taken_over = TakenOver::from_sdf};
 
 }  // namespace smurf::rules::sml3906_gazebo_misplaced_file

@@ -41,6 +41,7 @@ extern constinit const Rule sml3907_gazebo_classic_plugin{
     .summary = "A robot that is launched in Gazebo has a plugin of Gazebo Classic.",
     .remedy = "Use the system of Gazebo that replaces it.",
     .check_companions = check,
-    .facts = kFacts};
+    .facts = kFacts,
+    .taken_over = TakenOver::from_sdf};
 
 }  // namespace smurf::rules::sml3907_gazebo_classic_plugin_file

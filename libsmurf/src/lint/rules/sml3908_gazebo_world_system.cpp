@@ -60,6 +60,7 @@ extern constinit const Rule sml3908_gazebo_world_system{
     .remedy = "Add the system to the world.",
     .check_companions = check,
     .needs_target = true,
-    .facts = kFacts};
+    .facts = kFacts,
+    .taken_over = TakenOver::from_sdf};
 
 }  // namespace smurf::rules::sml3908_gazebo_world_system_file

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/readers.hpp"
+#include "base/text/lists.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml7004_motor_key_missing_file {
@@ -30,12 +31,9 @@ void check(const LinkedModel& model, Findings& findings) {
   for (const Motor& motor : model.annotations.motors) {
     const std::vector<std::string_view> missing = missing_keys(motor);
     if (missing.empty()) continue;
-    std::string list;
-    for (const std::string_view key : missing) {
-      list.append(list.empty() ? "" : ", ").append(quoted(key));
-    }
-    Diagnostic& diagnostic = findings.report(motor.name.written ? motor.name.span : motor.span,
-                                             subject("motor", motor) + " has no " + list);
+    Diagnostic& diagnostic =
+        findings.report(motor.name.written ? motor.name.span : motor.span,
+                        subject("motor", motor) + " has no " + listed(all_quoted(missing)));
     if (!motor.type.written) diagnostic.when(kType);
   }
 }

@@ -12,11 +12,6 @@ namespace {
 
 constexpr std::size_t kMostOfDriver = 240;  ///< bytes of a name, as in found_things.cpp
 
-std::string name_of_driver(xml::View element) {
-  const xml::Attribute* name = element.attribute("name");
-  return std::string(name != nullptr ? name->value() : element.name());
-}
-
 /// Whether a format has actuators.
 bool has_drives(SceneColumn column) {
   return column == SceneColumn::mjcf || column == SceneColumn::usda;
@@ -30,8 +25,8 @@ bool is_said_by_drive(xml::View part, const std::set<xml::ElementId>& commands,
   if (name == "mechanicalReduction") return import::text_of(part) == "1";
   if (name == "command_interface") return commands.contains(part.id());
   if (name == "param" && commands.contains(part.parent().id())) {
-    const std::string_view limit = import::attribute_of(part, "name");
-    const bool is_position = import::attribute_of(part.parent(), "name") == "position";
+    const std::string_view limit = attribute_of(part, "name");
+    const bool is_position = attribute_of(part.parent(), "name") == "position";
     return is_position ? column == SceneColumn::mjcf && (limit == "min" || limit == "max")
                        : limit == "max";
   }
@@ -66,10 +61,10 @@ Found drivers(const LinkedModel& model, SceneColumn column, const MotorOptions& 
     const xml::View view(model.robot->document, id);
     if (view.name() != element) continue;
     if (written.contains(id)) {
-      add_unsaid_settings(view, shortened(name_of_driver(view), kMostOfDriver), commands, column,
+      add_unsaid_settings(view, shortened(name_or_tag(view), kMostOfDriver), commands, column,
                           found);
     } else {
-      found.push_back({view.name_span(), name_of_driver(view)});
+      found.push_back({view.name_span(), name_or_tag(view)});
     }
   }
   return found;
@@ -114,7 +109,7 @@ Found ros2_controls(const LinkedModel& model, SceneColumn column, const MotorOpt
   for (const xml::ElementId id : model.robot->extensions) {
     const xml::View element(model.robot->document, id);
     if (element.name() != "transmission" || !element.child("joint")) continue;
-    driven.insert(import::attribute_of(element.child("joint"), "name"));
+    driven.insert(attribute_of(element.child("joint"), "name"));
   }
   for (const JointDrive& drive : joint_drives(model)) {
     const bool is_lost = drive.motor == nullptr && !driven.contains(*drive.joint->name);

@@ -36,11 +36,6 @@ Found joints_with(const LinkedModel& model, PartOf part_of) {
   return found;
 }
 
-std::string name_of(xml::View element) {
-  const xml::Attribute* name = element.attribute("name");
-  return std::string(name != nullptr ? name->value() : element.name());
-}
-
 /// What URDF does not define.
 struct Undefined {
   Found elements;  ///< without those that passes::extension_elements() finds
@@ -221,10 +216,10 @@ Found other_than_sensors(const LinkedModel& model, SceneColumn column, const aut
       const bool is_of_mjcf = is_loop_of_gazebo(model, child) || is_of_spring(model, child);
       if (column == SceneColumn::mjcf && is_of_mjcf) continue;
       if (!written.contains(child.id())) {
-        found.push_back({child.name_span(), name_of(child)});
+        found.push_back({child.name_span(), name_or_tag(child)});
         continue;
       }
-      const std::string name = shortened(name_of(child), kMostOfName);
+      const std::string name = shortened(name_or_tag(child), kMostOfName);
       for (const xml::View setting : lost_settings(child)) {
         found.push_back({setting.name_span(), std::string(setting.name()) + " of " + name});
       }
@@ -250,11 +245,11 @@ Found gazebo_elements(const LinkedModel& model, SceneColumn column) {
     if (gazebo.name() != "gazebo") continue;
     for (const xml::View child : gazebo) {
       if (!is_sdf || !is_taken_by_gazebo(model, child)) {
-        found.push_back({child.name_span(), name_of(child)});
+        found.push_back({child.name_span(), name_or_tag(child)});
         continue;
       }
       for (const xml::View plugin : broken_plugins(child)) {
-        found.push_back({plugin.name_span(), name_of(plugin)});
+        found.push_back({plugin.name_span(), name_or_tag(plugin)});
       }
     }
   }

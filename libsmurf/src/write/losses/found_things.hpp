@@ -8,6 +8,11 @@ namespace smurf::things {
 
 using Found = std::vector<FoundThing>;
 void append(Found& all, Found some);
+/// The `name` of an element, or its tag.
+inline std::string name_or_tag(xml::View element) {
+  const xml::Attribute* name = element.attribute("name");
+  return std::string(name != nullptr ? name->value() : element.name());
+}
 
 // In a URDF.
 Found masses(const LinkedModel& model, SceneColumn);

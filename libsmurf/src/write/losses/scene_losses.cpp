@@ -7,6 +7,7 @@
 #include "base/findings/cases.hpp"
 #include "base/findings/rules.hpp"
 #include "base/text/counted.hpp"
+#include "base/text/lists.hpp"
 #include "base/text/quoted.hpp"
 #include "smurf/archive_files.hpp"
 #include "write/parts/scene_parts.hpp"
@@ -29,17 +30,14 @@ const std::string& name_in(const FoundThing& thing) { return thing.name; }
 template <class Names>
 std::string list(const Names& names) {
   constexpr std::size_t kListed = 8;
-  std::set<std::string_view> listed;
-  std::string text;
-  std::size_t count = 0;
+  std::set<std::string_view> known;
+  std::vector<std::string> all;
   for (const auto& each : names) {
     const std::string& name = name_in(each);
-    if (!name.empty() && !listed.insert(name).second) continue;
-    if (++count > kListed) continue;
-    text += (count == 1 ? "" : ", ") + (name.empty() ? "a node without name" : quoted(name));
+    if (!name.empty() && !known.insert(name).second) continue;
+    all.push_back(name.empty() ? "a node without name" : quoted(name));
   }
-  if (count > kListed) text += " and " + std::to_string(count - kListed) + " more";
-  return text;
+  return shortlist(all, kListed);
 }
 
 }  // namespace

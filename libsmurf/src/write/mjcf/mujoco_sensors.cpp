@@ -133,7 +133,7 @@ class SensorReader {
 
   void of_gazebo(const GazeboSensor& found) {
     const xml::View sensor = found.element;
-    const std::string_view name = import::attribute_of(sensor, "name");
+    const std::string_view name = attribute_of(sensor, "name");
     const std::size_t first = sensors_.size();
     if (name.empty() || !is_gazebo_taken(sensor, found.reference, name)) return;
     for (std::size_t i = first; i < sensors_.size(); ++i) sensors_[i].element = sensor.id();
@@ -141,7 +141,7 @@ class SensorReader {
   }
 
   bool is_gazebo_taken(xml::View sensor, std::string_view reference, std::string_view name) {
-    const std::string_view type = import::attribute_of(sensor, "type");
+    const std::string_view type = attribute_of(sensor, "type");
     const Pose X_LS = sensor_pose(sensor);
     if (type == "imu") return add_imu(name, link(reference), X_LS);
     if (type == "force_torque") return is_wrench_taken(sensor, reference, name, X_LS);

@@ -34,8 +34,8 @@ class Collector {
     const xml::View element = found.element;
     const std::optional<std::size_t> link = link_or_child(found.reference);
     if (!link) return;
-    sensors_.push_back({std::string(import::attribute_of(element, "name")),
-                        std::string(import::attribute_of(element, "type")) + " in <gazebo>", *link,
+    sensors_.push_back({std::string(attribute_of(element, "name")),
+                        std::string(attribute_of(element, "type")) + " in <gazebo>", *link,
                         view_of(element), nullptr, element.id()});
   }
 

@@ -14,8 +14,6 @@
 namespace smurf {
 namespace {
 
-using import::attribute_of;
-
 /// Elements that become parts of the link, its shapes or the joint.
 constexpr std::string_view kOfLinks[] = {
     "mu1",       "mu2",           "fdir1",         "kp",          "kd",       "maxVel",

@@ -159,7 +159,7 @@ class DriveReader {
   }
 
   const urdf::Joint* joint_named(xml::View element) const {
-    return model_.find_joint(import::attribute_of(element, "name"));
+    return model_.find_joint(attribute_of(element, "name"));
   }
 
   void of_motor(const Motor& motor, const urdf::Joint* joint) {
@@ -212,7 +212,7 @@ class DriveReader {
 
   /// The interface that a controller claims of a joint of ros2_control; "" if none does.
   std::string_view claimed_interface(xml::View joint) const {
-    const ControlledJoint* controller = controlled(import::attribute_of(joint, "name"));
+    const ControlledJoint* controller = controlled(attribute_of(joint, "name"));
     if (controller == nullptr) return {};
     if (controller->kp || controller->kv || controller->kind == MotorKind::effort) return "effort";
     return controller->kind == MotorKind::velocity ? "velocity" : "position";
@@ -239,7 +239,7 @@ class DriveReader {
   void of_transmission(xml::View transmission) {
     const xml::View joint = transmission.child("joint");
     std::string_view type = import::child_text(transmission, "type");
-    if (type.empty()) type = import::attribute_of(transmission, "type");
+    if (type.empty()) type = attribute_of(transmission, "type");
     if (!joint || type.find("SimpleTransmission") == std::string_view::npos) return;
     const std::optional<std::string_view> interface = transmission_interface(transmission);
     // A position, as for urdf2smurf, if it does not state how the joint is commanded.

@@ -21,7 +21,7 @@ class KeptFinder {
     for (const Sensor& sensor : model_.annotations.sensors) of_sensor(sensor);
     for (const xml::ElementId id : model_.robot->extensions) {
       const xml::View element(model_.robot->document, id);
-      if (element.name() == "gazebo") keep(import::attribute_of(element, "reference"));
+      if (element.name() == "gazebo") keep(attribute_of(element, "reference"));
     }
     for (const Loop& loop : loops_of(model_)) {
       kept_.links[loop.parent] = kept_.links[loop.child] = true;

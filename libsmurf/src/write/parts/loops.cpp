@@ -63,9 +63,9 @@ std::optional<Loop> loop_of(const LinkedModel& model, xml::View joint) {
   if (joint.name() != "joint") return std::nullopt;
   const auto parent = model.link_names.find(import::child_text(joint, "parent"));
   const auto child = model.link_names.find(import::child_text(joint, "child"));
-  const std::string_view type = import::attribute_of(joint, "type");
+  const std::string_view type = attribute_of(joint, "type");
   if (!parent || !child || *parent == *child) return std::nullopt;
-  Loop loop{.name = std::string(import::attribute_of(joint, "name")),
+  Loop loop{.name = std::string(attribute_of(joint, "name")),
             .parent = *parent,
             .child = *child,
             .span = joint.name_span()};
@@ -82,7 +82,7 @@ std::optional<Loop> loop_of(const LinkedModel& model, xml::View joint) {
   }
   if (const xml::View pose = joint.child("pose")) {
     const auto numbers = numbers_in(import::text_of(pose), 6);
-    const bool is_in_child = import::attribute_of(pose, "relative_to").empty();
+    const bool is_in_child = attribute_of(pose, "relative_to").empty();
     if (!numbers || !is_in_child) return std::nullopt;
     const std::vector<double>& n = *numbers;
     loop.X_CJ = {{n[0], n[1], n[2]}, from_rpy({n[3], n[4], n[5]})};

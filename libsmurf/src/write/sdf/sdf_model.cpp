@@ -154,7 +154,7 @@ std::set<std::string> sensor_types(const LinkedModel& model) {
     if (gazebo.name() != "gazebo") continue;
     for (const xml::View child : gazebo) {
       if (child.name() != "sensor" || !is_taken_by_gazebo(model, child)) continue;
-      types.emplace(import::attribute_of(child, "type"));
+      types.emplace(attribute_of(child, "type"));
     }
   }
   for (const Sensor& sensor : model.annotations.sensors) {
