@@ -235,11 +235,11 @@ Found other_than_sensors(const LinkedModel& model, SceneColumn column, const aut
 
 }  // namespace
 
-Found gazebo_elements(const LinkedModel& model, SceneColumn column) {
+Found gazebo_elements(const LinkedModel& model, SceneColumn column, const MotorOptions& options) {
   Found found;
   if (!model.robot) return found;
   if (column == SceneColumn::mjcf) {
-    return other_than_sensors(model, column, mujoco_sensors(model), unsaid_by_mujoco);
+    return other_than_sensors(model, column, mujoco_sensors(model, options), unsaid_by_mujoco);
   }
   if (column == SceneColumn::html) {
     return other_than_sensors(model, column, viewer_sensors(model), unshown_settings);
@@ -277,10 +277,11 @@ Found other_attributes(const LinkedModel& model, SceneColumn) {
   return model.robot ? find_undefined(model).attributes : Found();
 }
 
-Found sensors(const LinkedModel& model, SceneColumn column) {
+Found sensors(const LinkedModel& model, SceneColumn column, const MotorOptions& options) {
   std::set<const Sensor*> written;
   if (column == SceneColumn::mjcf) {
-    for (const MujocoSensor& sensor : mujoco_sensors(model)) written.insert(sensor.annotation);
+    for (const MujocoSensor& sensor : mujoco_sensors(model, options))
+      written.insert(sensor.annotation);
   } else if (column == SceneColumn::html) {
     written = sensors_on_page(model);
   } else if (column == SceneColumn::sdf) {
@@ -297,7 +298,7 @@ Found sensors(const LinkedModel& model, SceneColumn column) {
   return found;
 }
 
-Found sensor_keys(const LinkedModel& model, SceneColumn column) {
+Found sensor_keys(const LinkedModel& model, SceneColumn column, const MotorOptions& options) {
   Found found;
   const auto add = [&](const Sensor& sensor, auto is_said) {
     for (FoundThing& key : other_keys(model, sensor, {})) {
@@ -306,7 +307,7 @@ Found sensor_keys(const LinkedModel& model, SceneColumn column) {
   };
   if (column == SceneColumn::mjcf) {
     const Sensor* last = nullptr;  // each ray of a scan becomes a sensor
-    for (const MujocoSensor& sensor : mujoco_sensors(model)) {
+    for (const MujocoSensor& sensor : mujoco_sensors(model, options)) {
       if (sensor.annotation == nullptr || sensor.annotation == last) continue;
       last = sensor.annotation;
       add(*last, is_said_by_mujoco);

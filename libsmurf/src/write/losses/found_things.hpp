@@ -35,7 +35,7 @@ Found chosen_gains(const LinkedModel& model, SceneColumn column, const MotorOpti
 Found transmissions(const LinkedModel& model, SceneColumn column, const MotorOptions& options);
 Found ros2_controls(const LinkedModel& model, SceneColumn column, const MotorOptions& options);
 /// SDF: only elements that Gazebo does not convert. MJCF: all elements except sensors.
-Found gazebo_elements(const LinkedModel& model, SceneColumn column);
+Found gazebo_elements(const LinkedModel& model, SceneColumn column, const MotorOptions& options);
 /// Sensors that need plug-ins of the world in Gazebo.
 Found sensor_systems(const LinkedModel& model, SceneColumn);
 Found other_extensions(const LinkedModel& model, SceneColumn);
@@ -59,9 +59,9 @@ Found motors(const LinkedModel& model, SceneColumn column, const MotorOptions& o
 /// Keys that actuators of MuJoCo, or drives of USD, do not have.
 Found motor_keys(const LinkedModel& model, SceneColumn column);
 /// SDF and MJCF: only sensors that the format does not have.
-Found sensors(const LinkedModel& model, SceneColumn column);
+Found sensors(const LinkedModel& model, SceneColumn column, const MotorOptions& options);
 /// Keys that sensors of Gazebo, or of MuJoCo, do not have.
-Found sensor_keys(const LinkedModel& model, SceneColumn column);
+Found sensor_keys(const LinkedModel& model, SceneColumn column, const MotorOptions& options);
 /// HTML: only materials that the URDF does not have.
 Found materials(const LinkedModel& model, SceneColumn column);
 /// Keys of materials that the page does not show.
