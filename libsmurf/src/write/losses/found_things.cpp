@@ -165,13 +165,35 @@ Found velocities(const LinkedModel& model, SceneColumn) {
   });
 }
 
-Found own_collisions(const LinkedModel& model, SceneColumn) {
+Found own_collisions(const SceneExport& scene, SceneColumn) {
   Found found;
-  if (!model.robot) return found;
-  const auto collides = [](const urdf::Link& link) { return !link.collisions.empty(); };
-  const auto& links = model.robot->links;
-  if (std::count_if(links.begin(), links.end(), collides) < 2) return found;
-  found.push_back({{model.robot->document.source, 0, 0}, shortened(model.path, kMostOfName)});
+  const SelfCollision choice = scene.contacts.choice;
+  if (choice != SelfCollision::as_usual && choice != SelfCollision::none) return found;
+  for (const LinkedModel& model : scene.scene.models) {
+    if (!model.robot) continue;
+    const auto collides = [](const urdf::Link& link) { return !link.collisions.empty(); };
+    const auto& links = model.robot->links;
+    if (std::count_if(links.begin(), links.end(), collides) < 2) continue;
+    found.push_back({{model.robot->document.source, 0, 0}, shortened(model.path, kMostOfName)});
+  }
+  return found;
+}
+
+Found disabled_pairs(const SceneExport& scene, SceneColumn column) {
+  Found found;
+  const bool is_sdf = column == SceneColumn::sdf || column == SceneColumn::sdf16;
+  for (const LinkedModel& model : scene.scene.models) {
+    const auto pairs = scene.contacts.left_out.find(&model);
+    if (pairs == scene.contacts.left_out.end()) continue;
+    const bool is_usual = scene.contacts.choice == SelfCollision::as_usual;
+    if (is_sdf && is_usual && !touches_itself(model)) continue;
+    for (const auto& [link, other] : pairs->second) {
+      const urdf::Link& first = model.robot->links[link];
+      found.push_back(
+          {first.span, shortened(first.name.value_or({}), kMostOfName) + " and " +
+                           shortened(model.robot->links[other].name.value_or({}), kMostOfName)});
+    }
+  }
   return found;
 }
 

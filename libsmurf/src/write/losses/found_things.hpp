@@ -25,7 +25,6 @@ Found textures(const LinkedModel& model, SceneColumn column);
 Found efforts(const LinkedModel& model, SceneColumn column, const MotorOptions& options);
 Found velocities(const LinkedModel& model, SceneColumn);
 Found joint_frictions(const LinkedModel& model, SceneColumn);
-Found own_collisions(const LinkedModel& model, SceneColumn);
 Found safety_controllers(const LinkedModel& model, SceneColumn);
 Found calibrations(const LinkedModel& model, SceneColumn);
 Found newer_limits(const LinkedModel& model, SceneColumn);
@@ -73,6 +72,12 @@ Found collision_settings(const LinkedModel& model, SceneColumn column);
 Found other_sections(const LinkedModel& model, SceneColumn);
 
 // In scenes.
+/// Models within which nothing touches, since nobody chose what does.
+Found own_collisions(const SceneExport& scene, SceneColumn);
+/// Links and joints of models with another name in the SDF.
+Found reserved_names(const SceneExport& scene, SceneColumn column);
+/// Pairs of links that touch in the result, and that the SRDF or the model disables.
+Found disabled_pairs(const SceneExport& scene, SceneColumn column);
 Found no_gravity(const SceneExport& scene, SceneColumn);
 Found no_step(const SceneExport& scene, SceneColumn);
 Found ambient_lights(const SceneExport& scene, SceneColumn);
