@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "base/deadline.hpp"
 #include "base/text/counted.hpp"
 #include "base/text/edits.hpp"
 #include "common/files/output.hpp"
@@ -77,7 +78,17 @@ ExitCode show_collisions(const LintOptions& options) {
   const std::string& path = options.collision_matrix;
   return show_model(options, path, [&](const LinkedModel& model) -> std::optional<std::string> {
     const int samples = options.samples.value_or(kUsualSamples);
-    const CollisionMatrix matrix = collision_matrix(model, static_cast<std::size_t>(samples));
+    CollisionMatrix matrix;
+    try {
+      const Deadline deadline(options.max_seconds);
+      matrix = collision_matrix(model, static_cast<std::size_t>(samples));
+    } catch (const OutOfTime&) {
+      complain(kSmurfLint, "the collision matrix of '" + path + "' takes more than " +
+                               std::to_string(options.max_seconds) +
+                               " seconds; --samples tries fewer joint positions, and "
+                               "--max-seconds allows more time");
+      return std::nullopt;
+    }
     if (!matrix.is_complete) {
       complain(kSmurfLint, "'" + path + "' has too many shapes for a collision matrix");
       return std::nullopt;

@@ -19,6 +19,7 @@
 #include "link/link_overlaps.hpp"
 #include "write/parts/contacts.hpp"
 #include "write/parts/gazebo_elements.hpp"
+#include "write/parts/scene_parts.hpp"
 
 namespace smurf {
 namespace {

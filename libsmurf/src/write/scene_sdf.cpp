@@ -2,8 +2,11 @@
 // SDFormat worlds for Gazebo. Entities that are fixed to each other share one outer model, since
 // SDF 1.9 has no joints between models.
 #include <map>
-#include <set>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/text/unique_names.hpp"
 #include "write/parts/annotated_colors.hpp"
@@ -199,29 +202,24 @@ class SdfWriter : SdfJoints {
       const bool is_written = tree.bodies[at] != SdfTree::kNoBody && (at != root || !has_world);
       if (X_EL[at] && is_written) parts[tree.bodies[at]].push_back(at);
     }
-    const auto add_scope = [&](std::string_view scope) {
-      for (const LinkIndex link : model.tree.order) {
-        const std::size_t at = to_size(link);
-        const std::size_t body = tree.bodies[at];
-        if (body == SdfTree::kNoBody || !X_EL[at] || !X_EL[body]) continue;
-        if (at == root && has_world) continue;
-        if (sdf_scope(links_of(model)[at]) != scope) continue;
-        if (body == at) add_link(i, model, at, parts[at], X_EL);
-        if (body != at && !is_old_) add_frame(model, at, body, X_EL);
-      }
-      for (const SdfJoint& joint : tree.joints) {
-        if (!X_EL[joint.frame] || !X_EL[tree.bodies[joint.frame]]) continue;
-        const bool is_in_world = joint.parent == root && has_world;
-        const std::string& child = links_of(model)[tree.bodies[joint.frame]];
-        const std::string parent =
-            is_in_world ? "world" : links_of(model)[tree.bodies[joint.parent]];
-        const std::string& name = joint.joint->name.value_or({});
-        if (sdf_joint_scope(name, parent, child) != scope) continue;
-        add_joint(i, model, joint, parent, scope);
-      }
-    };
-    add_scope({});
-    add_nested(scopes_of(model), {}, add_scope);
+    Scopes scopes;
+    for (const LinkIndex link : model.tree.order) {
+      const std::size_t at = to_size(link);
+      const std::size_t body = tree.bodies[at];
+      const bool is_lost = body == SdfTree::kNoBody || !X_EL[at] || !X_EL[body];
+      if (is_lost || (at == root && has_world) || (body != at && is_old_)) continue;
+      scope_in(scopes, sdf_scope(links_of(model)[at])).links.push_back(at);
+    }
+    for (const SdfJoint& joint : tree.joints) {
+      if (!X_EL[joint.frame] || !X_EL[tree.bodies[joint.frame]]) continue;
+      const bool is_in_world = joint.parent == root && has_world;
+      const std::string& child = links_of(model)[tree.bodies[joint.frame]];
+      std::string parent = is_in_world ? "world" : links_of(model)[tree.bodies[joint.parent]];
+      const std::string name = joint.joint->name.value_or({});
+      Scope& scope = scope_in(scopes, sdf_joint_scope(name, parent, child));
+      scope.joints.emplace_back(&joint, std::move(parent));
+    }
+    add_scope(i, model, scopes, {}, parts, X_EL);
     for (const Loop& loop : loops_of(model)) {
       if (loop.joint != nullptr) add_loop(i, model, loop);
     }
@@ -240,25 +238,38 @@ class SdfWriter : SdfJoints {
     xml_.leaf("self_collide", choice == SelfCollision::none ? "false" : "true");
   }
 
-  /// The nested models, and those around them.
-  std::set<std::string> scopes_of(const LinkedModel& model) {
-    std::set<std::string> scopes;
-    for (const std::string& name : links_of(model)) {
-      for (std::string_view one = sdf_scope(name); !one.empty(); one = sdf_scope(one)) {
-        scopes.emplace(one);
-      }
-    }
-    return scopes;
+  /// What is in a model, and not in the models in it.
+  struct Scope {
+    std::vector<std::size_t> links;
+    std::vector<std::pair<const SdfJoint*, std::string>> joints;  ///< with the name of the parent
+    std::vector<std::string> models;
+  };
+  using Scopes = std::map<std::string, Scope, std::less<>>;
+
+  static Scope& scope_in(Scopes& scopes, std::string_view name) {
+    const auto found = scopes.find(name);
+    if (found != scopes.end()) return found->second;
+    if (!name.empty()) scope_in(scopes, sdf_scope(name)).models.emplace_back(name);
+    return scopes[std::string(name)];
   }
 
-  /// Writes the models in the model `outer`. Their frames are that of the outermost one.
-  void add_nested(const std::set<std::string>& scopes, std::string_view outer,
-                  const auto& add_scope) {
-    for (const std::string& scope : scopes) {
-      if (sdf_scope(scope) != outer) continue;
-      xml_.open("model", {{"name", std::string(sdf_local(scope, outer))}});
-      add_scope(scope);
-      add_nested(scopes, scope, add_scope);
+  /// The frames of nested models are that of the outermost one.
+  void add_scope(std::size_t i, const LinkedModel& model, const Scopes& scopes,
+                 std::string_view name, const std::vector<std::vector<std::size_t>>& parts,
+                 const std::vector<std::optional<Pose>>& X_EL) {
+    const auto found = scopes.find(name);
+    if (found == scopes.end()) return;
+    for (const std::size_t link : found->second.links) {
+      const std::size_t body = parts_of(model).tree.bodies[link];
+      if (body == link) add_link(i, model, link, parts[link], X_EL);
+      if (body != link) add_frame(model, link, body, X_EL);
+    }
+    for (const auto& [joint, parent] : found->second.joints) {
+      add_joint(i, model, *joint, parent, name);
+    }
+    for (const std::string& inner : found->second.models) {
+      xml_.open("model", {{"name", std::string(sdf_local(inner, name))}});
+      add_scope(i, model, scopes, inner, parts, X_EL);
       xml_.close();
     }
   }

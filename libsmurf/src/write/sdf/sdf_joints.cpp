@@ -11,7 +11,10 @@ namespace {
 std::string joint_name(const LinkedModel& model, const urdf::Joint& joint,
                        std::string_view scope = {}) {
   if (!scope.empty() && sdf_scope(*joint.name) == scope) {
-    return std::string(sdf_local(*joint.name, scope));
+    const std::string inside = std::string(scope) + "::";
+    std::string name = sdf_name(sdf_local(*joint.name, scope));
+    while (model.link_names.contains(inside + name)) name += "_joint";
+    return name;
   }
   std::string name = sdf_name(*joint.name);
   const auto is_taken = [&](const std::string& one) {

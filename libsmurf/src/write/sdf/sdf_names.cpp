@@ -44,11 +44,12 @@ class NestedNames {
   bool has(std::string_view name) const {
     if (sdf_scope(name).empty()) return false;
     std::size_t begin = 0;
-    while (begin <= name.size()) {
+    for (std::size_t depth = 0; begin <= name.size(); ++depth) {
       const std::size_t end = std::min(name.find("::", begin), name.size());
       const std::string_view part = name.substr(begin, end - begin);
       const bool is_model = end < name.size();
       if (part.empty() || part.front() == ':' || is_reserved(part)) return false;
+      if (depth > kMostModels) return false;
       if (is_model && taken_.contains(name.substr(0, end))) return false;
       begin = end + 2;
     }
@@ -56,6 +57,8 @@ class NestedNames {
   }
 
  private:
+  static constexpr std::size_t kMostModels = 32;  // around a link
+
   std::set<std::string_view> taken_;  ///< names that are no models
 };
 
