@@ -120,6 +120,7 @@ PRIVATE_HEADERS_OF_TOOLS = {
     "link/describe.hpp",
     "link/extension_names.hpp",
     "lint/inertia_repair.hpp",
+    "link/collision_matrix.hpp",
     "lint/masses.hpp",
     "lint/suppress.hpp",
     "plan/launched_values.hpp",

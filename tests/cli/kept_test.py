@@ -42,7 +42,7 @@ URDF = """<robot name="rich">
 <joint name="knuckle" type="prismatic"><parent link="hand"/><child link="finger"/><axis xyz="1 0 0"/>
   <limit lower="0" upper="1" effort="8" velocity="2"/></joint>
 <link name="pad">""" + BODY.format(m="1") + """<collision><geometry><box size="1 1 1"/></geometry></collision></link>
-<joint name="glue" type="fixed"><parent link="base"/><child link="pad"/></joint>
+<joint name="glue::d" type="fixed"><parent link="base"/><child link="pad"/></joint>
 <gazebo reference="base"><sensor name="touch" type="contact"><contact>
   <collision>base_fixed_joint_lump__bumper_collision</collision>
   <collision>base_fixed_joint_lump__pad_collision_2</collision></contact></sensor></gazebo>
@@ -57,7 +57,7 @@ URDF = """<robot name="rich">
 <joint name="spin" type="continuous"><parent link="base"/><child link="dot"/><axis xyz="0 0 1"/></joint>
 <joint name="loop" type="continuous"><parent link="pad"/><child link="dot"/><axis xyz="0 0 1"/></joint>
 <link name="island"/>
-<gazebo reference="arm"><mu1>0.75</mu1><kp>7</kp><sensor name="eye" type="camera"><camera/></sensor></gazebo>
+<gazebo reference="arm"><selfCollide>true</selfCollide><mu1>0.75</mu1><kp>7</kp><sensor name="eye" type="camera"><camera/></sensor></gazebo>
 <transmission name="drive"><type>transmission_interface/SimpleTransmission</type>
   <joint name="knuckle"><hardwareInterface>hardware_interface/EffortJointInterface</hardwareInterface></joint>
   <actuator name="knuckle_actuator"><mechanicalReduction>50</mechanicalReduction></actuator></transmission>
@@ -177,8 +177,10 @@ CHANGES = {
     "calibrations of joints": ('<calibration rising="0.5"/>', ""),
     "limits of acceleration and jerk": (' acceleration="9"', ""),
     "damping and friction of joints": ('damping="0.25"', 'damping="0.5"'),
+    "reserved names of links and joints": ('name="glue::d"', 'name="glued"'),
     "collisions within a robot": ('<collision name="bumper"><geometry><box size="1 2 3"/>',
                                   '<collision name="bumper"><geometry><box size="1 2 4"/>'),
+    "pairs of links that cannot touch": ('<disable_collisions link1="ball" link2="dot" reason="Never"/>', ""),
     "gains of motors": ("joint: shoulder, type: PID", "joint: shoulder, type: direct_effort"),
     "transmissions": ("<transmission.*</transmission>", ""),
     "elements of ros2_control": ("<ros2_control.*</ros2_control>", ""),
@@ -265,7 +267,8 @@ UNNAMED |= {("shapes only", thing) for thing in ("names of visuals and collision
 ASIDES = {"masses of moving links that have none", "moments of inertia that are not written", "inertias that simulators refuse", "motor setting",
           "sensor setting", "material setting", "gravity when none is set", "step size when none is set",
           "ambient colours of lights", "attenuations and specular colours of lights", "keys of primitives",
-          "roots named `world` without an anchor", "colours of parts of mesh files", "collisions within a robot",
+          "roots named `world` without an anchor", "colours of parts of mesh files", "collisions within a robot", "pairs of links that cannot touch",
+          "reserved names of links and joints",
           "gains of motors", "gains of controllers", "collisions of contact sensors on several links", "systems of Gazebo for sensors",
           "names of entities", "heightmaps in colour or out of reach", "moments of inertia of 0 and placeholders",
           "heightmaps that are not square", "robots that move freely"}
@@ -321,6 +324,7 @@ class KeptTest(cli.CliTest):
     @staticmethod
     def texts():
         return {"rich.urdf": URDF, "rich_all.yml": ANNOTATIONS, "rich.smurfs": SCENE,
+                "rich.srdf": '<robot name="rich"><disable_collisions link1="ball" link2="dot" reason="Never"/></robot>',
                 "free.urdf": '<robot name="free"><link name="world"/></robot>',
                 "two.obj": TWO, "fork.obj": FORK, "two.mtl": "newmtl red\nKd 1 0 0\nnewmtl green\nKd 0 1 0\n",
                 "rich.smurf": "modelname: rich\nfiles: [rich.urdf, rich_all.yml]\n"}

@@ -175,6 +175,24 @@ class MujocoSensorTest(reader.ReaderTest):
         self.assertEqual(gazebo, "`update_rate of eye`, `image of eye`, `clip of eye`, `visual`, `pull`")
         self.assertIn("7 sensor settings", losses)  # rate, width, height and draw_rays
 
+    @reader.needs_built("mujoco_sensors")
+    def test_torques_of_motors_that_options_add(self):
+        """A joint without a motor has no torque to measure, until an option gives it a motor."""
+        start = ANNOTATIONS.index("sensors:")
+        self.write("seer_all.yml", ANNOTATIONS[start:ANNOTATIONS.index("poses:")])
+        self.write("seer.smurfs", SCENE.replace("pose: bent, ", ""))
+        found = {}
+        for kind in ("none", "auto"):
+            arguments = ["--actuator", kind] if kind != "none" else []
+            file = self.write_scene("seer.smurfs", "mjcf", *arguments)
+            found[kind] = [line.split("\t") for line in
+                           self.read_with(reader.BUILD / "mujoco_sensors", file, "1").splitlines()
+                           if line.startswith("sensor\tOne/effort")]
+        self.assertEqual(found["none"], [])
+        self.assertEqual([line[1] for line in found["auto"]], ["One/effort/neck"])
+        self.assertIn("5 sensors", "\n".join(self.losses()))
+        self.assertIn("4 sensors", "\n".join(self.losses("--actuator", "auto")))
+
     def test_annotations_of_a_model_that_is_named_are_lost(self):
         """MuJoCo then reads the URDF, which has no motors and sensors of SMURF."""
         losses = "\n".join(self.losses("--form", "reference"))

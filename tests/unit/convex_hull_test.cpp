@@ -10,6 +10,7 @@
 #include <set>
 
 #include "base/numbers/vectors.hpp"
+#include "link/hull_contact.hpp"
 #include "link/shape_hulls.hpp"
 #include "mesh/outer_points.hpp"
 #include "mesh/quickhull.hpp"
@@ -209,4 +210,43 @@ TEST_CASE("outer points: all of a small mesh, and the outermost of a large one")
   const auto top = std::max_element(kept.begin(), kept.end(),
                                     [](const auto& a, const auto& b) { return a[2] < b[2]; });
   CHECK((*top)[2] == static_cast<float>(highest));
+}
+
+TEST_CASE("hull contact: apart along an axis, or with room in both") {
+  Random random(20261129);
+  int apart = 0;
+  int together = 0;
+  for (int round = 0; round < 2000; ++round) {
+    std::vector<Vector3> points;
+    for (int i = 0; i < 12; ++i) points.push_back(random_point(random, 1));
+    const auto one = convex_hull(points);
+    for (Vector3& point : points) point = random_point(random, 1);
+    const auto other = convex_hull(points);
+    REQUIRE(one);
+    REQUIRE(other);
+    const Pose X_WA{random_point(random, 1), from_axis_angle(on_sphere(random), 1)};
+    const Pose X_WB{random_point(random, 1.5), from_axis_angle(on_sphere(random), 2)};
+    const HullCorners a = hull_corners(one->corners);
+    const HullCorners b = hull_corners(other->corners);
+    const PlacedHull placed(a, X_WA);
+    const PlacedHull other_placed(b, X_WB);
+    Vector3 axis{};
+    if (are_touching(placed, other_placed, 0.98, axis)) {
+      ++together;
+      const auto separates = [&](const Vector3& way) {
+        const Vector3 back{-way[0], -way[1], -way[2]};
+        return dot(placed.farthest(way, 0.98), way) < dot(other_placed.farthest(back, 0.98), way);
+      };
+      for (const HalfSpace& side : moved(*one, X_WA).sides) CHECK(!separates(side.normal));
+      for (const HalfSpace& side : moved(*other, X_WB).sides) CHECK(!separates(side.normal));
+      for (int i = 0; i < 100; ++i) CHECK(!separates(on_sphere(random)));
+    } else if (!are_touching(placed, other_placed, 1, axis) && dot(axis, axis) > 0) {
+      ++apart;
+      CHECK(!are_touching(placed, other_placed, 1, axis));  // asks the axis first
+      const Vector3 back{-axis[0], -axis[1], -axis[2]};
+      CHECK(dot(placed.farthest(axis, 1), axis) < dot(other_placed.farthest(back, 1), axis));
+    }
+  }
+  CHECK(together > 300);
+  CHECK(apart > 300);
 }

@@ -30,6 +30,7 @@
 #include "smurf-lint/records.hpp"
 #include "smurf-lint/rename_all.hpp"
 #include "smurf-lint/settings.hpp"
+#include "smurf-lint/show_collisions.hpp"
 #include "smurf-lint/show_config.hpp"
 #include "smurf-lint/show_masses.hpp"
 #include "smurf-lint/show_orders.hpp"
@@ -461,6 +462,7 @@ int smurf_lint_main(int argc, char** argv) {
   if (!options.list_rules.empty()) return list_rules(options);
   if (!options.show_config.empty()) return show_config(options);
   if (!options.masses.empty()) return show_masses(options);
+  if (!options.collision_matrix.empty()) return show_collisions(options);
   if (!options.joint_orders.empty()) return show_joint_orders(options);
   if (!options.dump_model.empty()) return dump_model(options);
   if (options.init) return init(options);

@@ -13,7 +13,7 @@
 namespace smurf::tools {
 
 ExitCode show_model(const LintOptions& options, const std::string& path,
-                    const std::function<std::string(const LinkedModel&)>& show) {
+                    const std::function<std::optional<std::string>(const LinkedModel&)>& show) {
   ConfinedFiles disk;
   confine(disk, std::array{path, options.config}, options.packages, options.allow_outside);
   disk.allow(options.config);
@@ -32,7 +32,8 @@ ExitCode show_model(const LintOptions& options, const std::string& path,
     return kFailed;
   }
   if (!keeps_inputs(kSmurfLint, files, std::span(&options.output, 1))) return kFailed;
-  return write_output(kSmurfLint, options.output, show(loaded.model)) ? kDone : kFailed;
+  const std::optional<std::string> text = show(loaded.model);
+  return text && write_output(kSmurfLint, options.output, *text) ? kDone : kFailed;
 }
 
 }  // namespace smurf::tools

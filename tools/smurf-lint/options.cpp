@@ -11,6 +11,7 @@
 #include "render/wrap.hpp"
 #include "smurf-lint/records.hpp"
 #include "smurf-lint/rename_all.hpp"
+#include "smurf-lint/show_collisions.hpp"
 #include "smurf-lint/show_orders.hpp"
 
 namespace smurf::tools {
@@ -338,6 +339,8 @@ std::vector<Option> input_options(LintOptions& options) {
                "gyration and verdict, and check nothing else.",
        .set = set_text(options.masses)},
       joint_order_option(options),
+      collision_matrix_option(options),
+      samples_option(options),
       {.group = "Input",
        .name = "csv",
        .help = "With --masses: write comma-separated values with all digits.",
@@ -478,6 +481,9 @@ std::optional<std::string> find_conflict(const LintOptions& options) {
   if (options.watch && options.opens) return "--watch --open: use smurf-view --watch";
   if (options.init && options.paths.size() > 1) return "--init sets up one folder";
   if (options.csv && options.masses.empty()) return "--csv needs --masses";
+  if (options.samples && options.collision_matrix.empty()) {
+    return "--samples needs --collision-matrix";
+  }
   if (options.unsafe_fixes && !options.fix && !options.fix_only && !options.diff) {
     return "--unsafe-fixes needs --fix, --fix-only or --diff";
   }

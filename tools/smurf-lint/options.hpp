@@ -76,6 +76,8 @@ struct LintOptions {
   std::string explain;                      ///< a rule: only show its page
   std::string masses;                       ///< a path: only show its masses
   std::vector<const Reader*> joint_orders;  ///< readers: only show the orders of joints they build
+  std::string collision_matrix;             ///< a path: only write its pairs as an SRDF
+  std::optional<int> samples;               ///< of joint positions, for these
   bool csv = false;                         ///< show them as CSV
   std::string dump_model;                   ///< a path: only write its contents
   std::string list_rules;                   ///< "text" or "json": only list the rules

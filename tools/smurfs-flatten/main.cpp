@@ -323,9 +323,8 @@ bool asks_for_motors(const Options& options) {
          !motors.kp.empty() || !motors.kv.empty() || !motors.armature.empty();
 }
 
-bool asks_for_contacts(const Options& options) {
-  return options.self_collision != SelfCollision::as_usual || !options.srdf.empty() ||
-         options.excludes_overlaps;
+bool asks_for_link_pairs(const Options& options) {
+  return !options.srdf.empty() || options.excludes_overlaps;
 }
 
 /// What the reader of the written file needs besides it, and what it loses.
@@ -420,9 +419,20 @@ int smurfs_flatten_main(int argc, char** argv) {
                  formats_with(&SceneFormat::has_motors));
     return kFailed;
   }
-  if (asks_for_contacts(options) && !format.has_contacts) {
-    complain(kTool, "--self-collision, --srdf and --exclude-overlaps need one of the formats " +
+  const bool asks_for_contacts =
+      options.self_collision != SelfCollision::as_usual || asks_for_link_pairs(options);
+  if (asks_for_contacts && format.has_expanded_form && *form != SceneForm::expand) {
+    complain(kTool, "--self-collision, --srdf and --exclude-overlaps need --form expand");
+    return kFailed;
+  }
+  if (options.self_collision != SelfCollision::as_usual && !format.has_contacts) {
+    complain(kTool, "--self-collision needs one of the formats " +
                         formats_with(&SceneFormat::has_contacts));
+    return kFailed;
+  }
+  if (asks_for_link_pairs(options) && !format.has_link_pairs) {
+    complain(kTool, "--srdf and --exclude-overlaps need one of the formats " +
+                        formats_with(&SceneFormat::has_link_pairs));
     return kFailed;
   }
   const auto current = current_folder(kTool);

@@ -61,9 +61,9 @@ std::vector<Option> contact_options(SelfCollision& choice, std::string& srdf,
       {.name = "self-collision",
        .metavar = "CHOICE",
        .help =
-           "Choose which links of a robot can touch each other (mjcf, dmd). none; neighbours: all "
-           "but those that a joint connects; srdf: these, without the pairs that the SRDF "
-           "disables; all. The default is srdf.",
+           "Choose which links of a robot can touch each other. none; neighbours: all but those that "
+           "a joint connects; srdf: these, without the pairs that the SRDF disables; all. The "
+           "default is srdf in mjcf and dmd, none in usda, and what the model says in sdf.",
        .values = {"none", "neighbours", "srdf", "all"},
        .set = choose<SelfCollision>(choice, {{"none", SelfCollision::none},
                                              {"neighbours", SelfCollision::neighbours},

@@ -67,7 +67,7 @@ struct MotorOptions {
   std::map<const LinkedModel*, ControlledJoints> controlled = {};
 };
 
-/// What of a robot can touch itself. As usual: all but neighbours, and in USD nothing.
+/// What of a robot can touch itself. As usual: SceneFormat::usual_contacts.
 enum class SelfCollision : std::uint8_t { as_usual, none, neighbours, srdf, all };
 /// Links of one model that must not touch, as indices.
 using LinkPairs = std::vector<std::pair<std::size_t, std::size_t>>;
@@ -112,10 +112,17 @@ struct SceneFormat {
   const Reader* reader = nullptr;
   bool has_reference_form = false;
   bool has_expanded_form = true;
-  bool has_ground = false;         ///< can add a floor to the expanded form
-  bool repeats_models = false;     ///< writes the model of each instance out
-  bool has_motors = false;         ///< writes MotorOptions
-  bool has_contacts = false;       ///< writes OwnContacts
+  bool has_ground = false;        ///< can add a floor to the expanded form
+  bool repeats_models = false;    ///< writes the model of each instance out
+  bool has_motors = false;        ///< writes MotorOptions
+  bool has_contacts = false;      ///< writes OwnContacts::choice
+  bool has_link_pairs = false;    ///< writes OwnContacts::left_out
+  bool loses_link_pairs = false;  ///< its readers compute contacts, and it has no place for pairs
+  bool has_bitmasks = false;      ///< writes the bitmasks of collisions
+  bool has_neighbours = false;    ///< links can touch that a joint connects
+  bool welds_links = false;       ///< its readers keep neighbours of links on fixed joints apart
+  /// What of a robot can touch itself if nobody chooses. As usual: what the model says.
+  SelfCollision usual_contacts = SelfCollision::as_usual;
   bool fixes_world_roots = false;  ///< its readers know that a root named `world` does not move
   /// The parts that check_scene_size() counts in advance; null if nothing is repeated.
   RepeatedParts (*repeated_parts)(const LinkedModel& model) = nullptr;

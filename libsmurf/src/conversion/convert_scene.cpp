@@ -113,7 +113,7 @@ void write(Session& session, LoadedScene& loaded, const SceneRequest& request,
     if (result.refusal) return;
   }
   OwnContacts contacts;
-  if (format.has_contacts) {
+  if (format.has_contacts || format.loses_link_pairs) {
     contacts = own_contacts(request, loaded.scene, *flat, files, limits, loaded.found);
   }
   MotorOptions motors = request.motors;

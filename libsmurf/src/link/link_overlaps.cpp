@@ -41,6 +41,17 @@ std::vector<std::size_t> bodies_of(const LinkedModel& model) {
   return body;
 }
 
+bool are_apart(const LinkedModel& model, const std::vector<std::size_t>& bodies, std::size_t link,
+               std::size_t other) {
+  const auto carrier_of = [&](std::size_t body) {
+    const auto joint = model.tree.parent_joint[body];
+    return joint ? bodies[to_size(*model.tree.joint_parent[to_size(*joint)])] : body;
+  };
+  const std::size_t a = bodies[link];
+  const std::size_t b = bodies[other];
+  return a != b && carrier_of(a) != b && carrier_of(b) != a;
+}
+
 JointPositions rest_positions(const LinkedModel& model) {
   JointPositions positions;
   for (const urdf::Joint& joint : model.robot->joints) {
@@ -87,17 +98,6 @@ const ConvexHull* LinkOverlaps::hull_of(Shape& shape) const {
   return shape.hull ? &*shape.hull : nullptr;
 }
 
-/// Whether two links are neither one body nor neighbours.
-bool LinkOverlaps::are_apart(std::size_t link, std::size_t other) const {
-  const auto carrier_of = [&](std::size_t body) {
-    const auto joint = model_.tree.parent_joint[body];
-    return joint ? bodies_[to_size(*model_.tree.joint_parent[to_size(*joint)])] : body;
-  };
-  const std::size_t a = bodies_[link];
-  const std::size_t b = bodies_[other];
-  return a != b && carrier_of(a) != b && carrier_of(b) != a;
-}
-
 std::vector<LinkOverlap> LinkOverlaps::find(const JointPositions& positions, double most,
                                             double part) {
   const auto poses = forward_kinematics(model_, positions);
@@ -121,7 +121,7 @@ std::vector<LinkOverlap> LinkOverlaps::find(const JointPositions& positions, dou
   for (std::size_t i = 0; i < all.size(); ++i) {
     for (std::size_t k = i + 1; k < all.size() && all[k].box.low[0] <= all[i].box.high[0]; ++k) {
       Deadline::look(1);
-      if (!are_apart(all[i].shape->link, all[k].shape->link)) continue;
+      if (!are_apart(model_, bodies_, all[i].shape->link, all[k].shape->link)) continue;
       const double thickness =
           std::min(thickness_of(all[i].shape->own), thickness_of(all[k].shape->own));
       const double least = part > 0 ? std::min(most, std::max(kLeast, part * thickness)) : most;

@@ -15,6 +15,10 @@ namespace smurf {
 /// By link: the topmost link to which fixed joints connect it. Such links are one body.
 std::vector<std::size_t> bodies_of(const LinkedModel& model);
 
+/// Whether two links are neither one body nor neighbours. `bodies`: those of bodies_of().
+bool are_apart(const LinkedModel& model, const std::vector<std::size_t>& bodies, std::size_t link,
+               std::size_t other);
+
 /// Zero, or the bound that is nearest to it, of all joints with bounds.
 JointPositions rest_positions(const LinkedModel& model);
 
@@ -49,7 +53,6 @@ class LinkOverlaps {
   struct Placed;
 
   const ConvexHull* hull_of(Shape& shape) const;
-  bool are_apart(std::size_t a, std::size_t b) const;
 
   const LinkedModel& model_;
   std::vector<std::size_t> bodies_;

@@ -2,7 +2,9 @@
 // Actuators as motors, sensors of joints and links, masks of contacts, and keyframes as poses: the
 // parts of a model for which SMURF has a section.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -23,6 +25,8 @@ namespace {
 using imports::yaml_text;
 
 const std::string kNoLimit = "1e+16";
+/// Of MuJoCo: sliding, torsional and rolling.
+constexpr std::array<double, 3> kUsualFriction{1, 0.005, 0.0001};
 
 class AnnotationWriter {
  public:
@@ -39,7 +43,7 @@ class AnnotationWriter {
     section("motors", "actuator", [&](const Reference& one) { actuator(one); });
     undriven();
     section("sensors", "sensor", [&](const Reference& one) { sensor(one); });
-    masks();
+    collisions();
     contact_settings();
     section("poses", "keyframe", [&](const Reference& one) { keyframe(one); });
     return yaml_.take();
@@ -79,12 +83,13 @@ class AnnotationWriter {
     const Attribute* class_name = one.element.attribute("class");
     const Settings s(one.element,
                      file.find_class(class_name != nullptr ? class_name->value() : "main"));
-    const std::string_view kind = one.element.name();
-    const bool holds = kind == "position" || kind == "intvelocity";
-    if (!holds && kind != "motor" && kind != "velocity") {
-      lost(one, "SMURF has no motor like " + quoted(kind) + ", so this one is lost");
+    const std::optional<Servo> servo = servo_of(s, reporter_);
+    if (!servo) {
+      lost(one, "SMURF has no motor like this " + quoted(one.element.name()) + ", so it is lost");
       return;
     }
+    const std::string_view kind = servo->kind;
+    const bool holds = kind == "position" || kind == "intvelocity";
     if (!driven_.insert(joint->name).second) {
       lost(one, "a joint of SMURF has one motor, so this second one is lost");
       return;
@@ -98,15 +103,20 @@ class AnnotationWriter {
     const double gear = gears[0] != 0 && std::isfinite(gears[0]) ? gears[0] : 1;
     line("  ", "type", holds ? "PID" : kind == "motor" ? "direct_effort" : "DC", tag);
     if (holds) {
-      line("  ", "p", format_number(s.number("kp", 1, reporter_)), s.place({"kp"}));
+      line("  ", "p", format_number(servo->kp), s.place({"kp", "gainprm"}));
       line("  ", "i", "0", tag);
-      line("  ", "d", format_number(s.number("kv", 0, reporter_)), s.place({"kv"}));
-      line("  ", "kp", format_number(gear * gear * s.number("kp", 1, reporter_)),
-           s.place({"kp", "gear"}));
+      line("  ", "d", format_number(servo->kv), s.place({"kv", "biasprm"}));
+      line("  ", "kp", format_number(gear * gear * servo->kp), s.place({"kp", "gainprm", "gear"}));
     }
     if (holds || kind == "velocity") {
-      const double kv = s.number("kv", holds ? 0 : 1, reporter_);
-      line("  ", "kv", format_number(gear * gear * kv), s.place({"kv", "gear"}));
+      line("  ", "kv", format_number(gear * gear * servo->kv), s.place({"kv", "biasprm", "gear"}));
+    }
+    if (const Attribute* ratio = s.find("dampratio")) {
+      reporter_
+          .lose(ratio->value_span(),
+                "SMURF has the damping of a motor as a number, so `dampratio` is lost",
+                "lost values")
+          .help("write `kv`");
     }
     const double armature = joint->settings.number("armature", 0, reporter_);
     if (armature > 0)
@@ -126,7 +136,12 @@ class AnnotationWriter {
     // Readers of SMURF take what is not written as 0, and MuJoCo as no limit.
     if (kind != "motor" && !(is_limited && kind == "velocity"))
       line("  ", "maxSpeed", kNoLimit, tag);
-    const auto effort = effort_of(s, reporter_);
+    auto effort = effort_of(s, reporter_);
+    if (joint->force_range) {
+      const auto& [low, high] = *joint->force_range;
+      const double most = std::max(std::fabs(low), std::fabs(high));
+      effort = std::min(effort.value_or(most), most);
+    }
     line("  ", "maxEffort", effort ? format_number(*effort) : kNoLimit,
          s.place({"forcerange", "ctrlrange", "gear"}));
   }
@@ -236,8 +251,8 @@ class AnnotationWriter {
     return site != nullptr && one.element.name() == "framequat" && imus_.contains(site);
   }
 
-  /// Which shapes touch which, if not all of them touch each other.
-  void masks() {
+  /// Which shapes touch which, if not all of them touch each other, and how they slide.
+  void collisions() {
     const Geom* one_sided = nullptr;
     for (const Body& body : model_.bodies) {
       for (const Geom& geom : body.geoms) {
@@ -250,19 +265,29 @@ class AnnotationWriter {
           .report(rules::sml9304_lost_in_urdf, place.origin,
                   "SMURF has one mask of contacts for a shape, so those with two masks are lost")
           .help("write the same `contype` and `conaffinity`, with at most 16 bits");
-      return;
     }
-    if (!has_masks(model_)) return;
-    yaml_.plain("collision:\n");
+    const bool has_bits = has_masks(model_);
+    bool is_open = false;
     for (const Body& body : model_.bodies) {
       for (const Geom& geom : body.geoms) {
-        if (!touches(geom)) continue;
-        const Place place = geom.settings.place({"contype", "conaffinity"});
-        line("- ", "name", yaml_text(geom.name), place);
-        line("  ", "link", yaml_text(body.name), place);
-        line("  ", "bitmask", std::to_string(geom.contype), place);
+        if (!touches(geom) || !geom.is_in_urdf) continue;
+        if (!is_open) yaml_.plain("collision:\n");
+        is_open = true;
+        const Place bits = geom.settings.place({"contype", "conaffinity"});
+        const Place friction = geom.settings.place({"friction"});
+        line("- ", "name", yaml_text(geom.name), has_bits ? bits : friction);
+        line("  ", "link", yaml_text(body.name), has_bits ? bits : friction);
+        if (has_bits) line("  ", "bitmask", std::to_string(geom.contype), bits);
+        line("  ", "cfriction1", format_number(friction_of(geom)[0]), friction);
       }
     }
+  }
+
+  /// Sliding, torsional and rolling.
+  std::array<double, 3> friction_of(const Geom& geom) {
+    std::array<double, 3> friction = kUsualFriction;
+    geom.settings.numbers("friction", friction, 1, reporter_);
+    return friction;
   }
 
   /// How shapes that touch resist each other.
@@ -279,6 +304,10 @@ class AnnotationWriter {
         for (const std::string_view name : kNames) {
           const Attribute* set = geom.settings.find(name);
           if (set == nullptr) continue;
+          const bool slides_only = name == "friction" &&
+                                   friction_of(geom)[1] == kUsualFriction[1] &&
+                                   friction_of(geom)[2] == kUsualFriction[2];
+          if (slides_only) continue;
           has_one = true;
           if (place.empty()) place = set->value_span();
           if (std::find(lost.begin(), lost.end(), name) == lost.end()) lost.emplace_back(name);
@@ -287,7 +316,9 @@ class AnnotationWriter {
       }
     }
     if (lost.empty()) return;
-    const std::string names = enumerated(all_quoted(lost));
+    for (std::string& name : lost)
+      name = name == "friction" ? "torsional and rolling `friction`" : quoted(name);
+    const std::string names = enumerated(lost);
     reporter_
         .report(rules::sml9304_lost_in_urdf, place,
                 "SMURF has no settings for contacts of MuJoCo, so " + names + " of " +

@@ -142,14 +142,13 @@ bool has_masks(const Model& model) {
 }
 
 void name_all(Model& model) {
-  const bool names_shapes = has_masks(model);
   std::size_t joints = 0;
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     Body& body = model.bodies[i];
     if (!body.has_name) body.name = "body_" + std::to_string(i);
     std::size_t shapes = 0;
     for (Geom& geom : body.geoms) {
-      if (names_shapes && touches(geom) && geom.name.empty())
+      if (touches(geom) && geom.name.empty())
         geom.name = body.name + "_collision_" + std::to_string(++shapes);
     }
     for (Joint& joint : body.joints) {

@@ -2,7 +2,9 @@
 // What actuators and equalities say about joints; what a URDF cannot say of them is a loss at its
 // place.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
@@ -207,9 +209,34 @@ std::optional<double> effort_of(const Settings& s, Reporter& reporter) {
   };
   if (s.text("forcelimited") != "false" && force[0] < force[1])
     return std::fabs(gear[0]) * largest(force);
-  const bool is_motor = s.element().name() == "motor";
+  const std::optional<Servo> servo = servo_of(s, reporter);
+  const bool is_motor = servo && servo->kind == "motor";
   if (is_motor && s.text("ctrllimited") != "false" && control[0] < control[1])
-    return std::fabs(gear[0]) * largest(control);
+    return std::fabs(gear[0] * servo->gain) * largest(control);
+  return std::nullopt;
+}
+
+std::optional<Servo> servo_of(const Settings& s, Reporter& reporter) {
+  const std::string_view kind = s.element().name();
+  if (kind == "motor") return Servo{kind};
+  if (kind == "position" || kind == "intvelocity")
+    return Servo{kind, 1, s.number("kp", 1, reporter), s.number("kv", 0, reporter)};
+  if (kind == "velocity") return Servo{kind, 1, 0, s.number("kv", 1, reporter)};
+  const auto is_usual = [&](std::string_view name, std::string_view usual) {
+    const std::string_view text = s.text(name);
+    return text.empty() || text == usual;
+  };
+  const bool is_linear = is_usual("dyntype", "none") && is_usual("gaintype", "fixed");
+  if (kind != "general" || !is_linear || s.find("kp") != nullptr || s.find("kv") != nullptr)
+    return std::nullopt;
+  std::array<double, 10> gain{1};
+  std::array<double, 10> bias{};
+  s.numbers("gainprm", gain, 1, reporter);
+  s.numbers("biasprm", bias, 1, reporter);
+  if (is_usual("biastype", "none")) return Servo{"motor", gain[0]};
+  if (s.text("biastype") != "affine" || bias[0] != 0) return std::nullopt;
+  if (bias[1] == -gain[0]) return Servo{"position", 1, gain[0], 0 - bias[2]};
+  if (bias[1] == 0 && bias[2] == -gain[0]) return Servo{"velocity", 1, 0, gain[0]};
   return std::nullopt;
 }
 

@@ -69,6 +69,7 @@ struct Geom {
   std::string material;
   std::optional<MassProperties> mass;  ///< in the frame of the body; none if a mesh is not there
   Pose mesh_pose;                      ///< of the origin of the mesh file in the frame of the body
+  mutable bool is_in_urdf = false;     ///< set when the robot is written; annotations come later
 };
 
 struct Site {
@@ -153,7 +154,7 @@ bool touches(const Geom& geom);
 bool has_one_mask(const Geom& geom);
 /// Whether such masks are needed: not all shapes touch each other.
 bool has_masks(const Model& model);
-/// Gives names to bodies and joints without one, by their index, and to shapes that need one.
+/// Gives names to bodies and joints without one, by their index, and to shapes that touch others.
 void name_all(Model& model);
 /// Stiffness and damping from `springdamper`, which depend on the inertia that a joint moves.
 void tune_springs(Model& model, Reporter& reporter);

@@ -41,6 +41,14 @@ struct JointFacts {
 };
 JointFacts facts_of_joints(const Model& model, Reporter& reporter);
 
+/// An actuator that SMURF has as a motor.
+struct Servo {
+  std::string_view kind;  ///< "motor", "position", "velocity" or "intvelocity"
+  double gain = 1;        ///< of a motor: force by command
+  double kp = 0, kv = 0;  ///< before the gear
+};
+/// None for other actuators, such as muscles. A `general` one may be one of them.
+std::optional<Servo> servo_of(const Settings& s, Reporter& reporter);
 /// The largest torque or force of an actuator: the range of the force, or of the control of a
 /// motor, times the gear.
 std::optional<double> effort_of(const Settings& settings, Reporter& reporter);

@@ -166,6 +166,7 @@ bool ShapeWriter::has_geometry(const Geom& geom) {
 
 void ShapeWriter::write(const Geom& geom) {
   if (!has_geometry(geom)) return;
+  geom.is_in_urdf = true;
   const bool is_contact = touches(geom);
   const bool is_shown = (!is_contact && !geom.file->compiler().discardvisual) ||
                         (is_contact && geom.group >= 0 && geom.group <= 2);

@@ -2,6 +2,9 @@
 #include "sdf/extensions.hpp"
 
 #include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
@@ -20,6 +23,28 @@ constexpr std::string_view kOfLink[] = {"sensor",           "gravity",     "self
 constexpr std::string_view kLost[] = {"light",   "projector", "audio_source",     "audio_sink",
                                       "battery", "gripper",   "particle_emitter", "actor",
                                       "road",    "population"};
+
+/// Elements of visuals and collisions that readers of a URDF take from `<gazebo>`, too.
+constexpr std::string_view kOfShape[] = {"surface",      "max_contacts",     "laser_retro",
+                                         "cast_shadows", "visibility_flags", "plugin"};
+
+bool are_equal(const View& one, const View& other) {
+  const auto some = one.attributes();
+  const auto others = other.attributes();
+  const auto is_same = [](const Attribute& a, const Attribute& b) {
+    return a.name() == b.name() && a.value() == b.value();
+  };
+  if (one.name() != other.name() || text_of(one) != text_of(other) ||
+      !std::equal(some.begin(), some.end(), others.begin(), others.end(), is_same)) {
+    return false;
+  }
+  std::vector<View> children;
+  std::vector<View> other_children;
+  for (const View child : one) children.push_back(child);
+  for (const View child : other) other_children.push_back(child);
+  return std::equal(children.begin(), children.end(), other_children.begin(), other_children.end(),
+                    are_equal);
+}
 
 template <std::size_t N>
 bool is_among(std::string_view text, const std::string_view (&texts)[N]) {
@@ -97,14 +122,53 @@ void ExtensionWriter::write(const Link& link) {
   for (const View one : element) {
     if (is_among(one.name(), kLost)) lost(one);
     if (!is_among(one.name(), kOfLink)) continue;
-    if (!is_open) {
-      xml_.open("gazebo", tag_of(element, frame));
-      xml_.attribute("reference", link.name, tag_of(element, frame));
-    }
-    is_open = true;
+    open(link, is_open);
     copy(one, frame, &link);
   }
+  shapes(link, "visual", is_open);
+  shapes(link, "collision", is_open);
   if (is_open) xml_.close();
+}
+
+void ExtensionWriter::open(const Link& link, bool& is_open) {
+  if (!is_open) {
+    const Place tag = tag_of(link.vertex->element, link.vertex->scope->frame);
+    xml_.open("gazebo", tag);
+    xml_.attribute("reference", link.name, tag);
+  }
+  is_open = true;
+}
+
+/// `<gazebo>` has one element for all visuals of a link, and one for all collisions.
+void ExtensionWriter::shapes(const Link& link, std::string_view kind, bool& is_open) {
+  std::vector<std::vector<View>> all;  // the settings of each shape
+  View first;
+  for (const View shape : link.vertex->element) {
+    if (shape.name() != kind) continue;
+    std::vector<View>& settings = all.emplace_back();
+    for (const View one : shape) {
+      if (is_among(one.name(), kOfShape)) settings.push_back(one);
+    }
+    if (!first && !settings.empty()) first = settings.front();
+  }
+  if (!first) return;
+  const auto is_same = [&](const std::vector<View>& some) {
+    return std::equal(some.begin(), some.end(), all.front().begin(), all.front().end(), are_equal);
+  };
+  if (!std::all_of(all.begin(), all.end(), is_same)) {
+    reporter_
+        .lose(first.name_span(),
+              "a URDF has settings such as " + quoted(first.name()) + " for all " +
+                  std::string(kind) + "s of a link together, and those of " + quoted(link.name) +
+                  " differ, so they are lost",
+              "lost settings of shapes")
+        .help("keep the SDF for them");
+    return;
+  }
+  open(link, is_open);
+  xml_.open(kind, tag_of(first.parent(), link.vertex->scope->frame));
+  for (const View one : all.front()) copy(one, link.vertex->scope->frame, nullptr);
+  xml_.close();
 }
 
 void ExtensionWriter::write(const Joint& joint) {

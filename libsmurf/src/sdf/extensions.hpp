@@ -16,6 +16,8 @@ class ExtensionWriter {
  private:
   void write(const Link& link);
   void write(const Joint& joint);
+  void shapes(const Link& link, std::string_view kind, bool& is_open);
+  void open(const Link& link, bool& is_open);
   void loop(const Joint& joint);
   void model_settings();
   void losses(const Scope& scope);

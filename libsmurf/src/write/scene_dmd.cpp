@@ -5,10 +5,13 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <set>
 
 #include "base/findings/readers.hpp"
+#include "base/findings/rules.hpp"
 #include "base/numbers/exact_math.hpp"
 #include "base/numbers/numbers.hpp"
+#include "base/text/counted.hpp"
 #include "write/losses/scene_losses.hpp"
 #include "write/parts/scene_parts.hpp"
 #include "write/text/json_text.hpp"
@@ -125,6 +128,11 @@ class DirectivesWriter {
   void add_weld(std::size_t i) {
     const FlatAttachment& anchor = flat(i).anchor;
     if (anchor.kind == Attachment::Kind::none || is_world(i)) return;
+    for (const std::string& link : {anchor.link, root_name(i)}) {
+      if (is_nameable(link)) continue;
+      return losses_.anchor(i, "in Drake directives, `::` in the name of the link `" + link +
+                                   "` ends the name of a model");
+    }
     std::string parent = "world";
     Pose X_PC = *flat(i).X_WE;
     if (anchor.kind == Attachment::Kind::link) {
@@ -139,6 +147,19 @@ class DirectivesWriter {
     out_ += "- add_weld:\n    parent: " + quoted(parent) +
             "\n    child: " + quoted(names_[i] + "::" + root_name(i)) + "\n    X_PC:\n";
     add_pose(X_PC, "      ");
+  }
+
+  /// Drake looks for a model of the name before the last `::`.
+  static bool is_nameable(std::string_view link) {
+    return link.find("::") == std::string_view::npos;
+  }
+
+  void report_unnamed(const LinkedModel& model, const std::string& what) {
+    if (!reported_.insert(&model).second) return;
+    scene_.losses.report(rules::sml8211_lost_part, {model.robot->document.source, 0, 0},
+                         what + " of `" + model.path +
+                             "` can touch in the Drake directives, in which `::` in the name of a "
+                             "link ends the name of a model");
   }
 
   /// A group for each link that must not touch others, or one that ignores itself.
@@ -157,21 +178,33 @@ class DirectivesWriter {
     };
     if (scene_.contacts.choice == SelfCollision::none) {
       std::string members;
+      std::size_t lost = 0;
       for (const LinkIndex one : model.tree.order) {
+        if (!is_nameable(link_name(model, to_size(one)))) {
+          ++lost;
+          continue;
+        }
         members += (members.empty() ? "" : ", ") + link(to_size(one));
       }
+      if (lost > 0) report_unnamed(model, counted(lost, "link"));
       const std::string name = names_[i] + "_contacts";
       return add(name, members, quoted(name));
     }
     const auto pairs = scene_.contacts.left_out.find(&model);
     if (pairs == scene_.contacts.left_out.end()) return;
     std::map<std::size_t, std::string> ignored;  // by link; Drake needs one direction only
+    std::size_t lost = 0;
     for (const auto& [a, b] : pairs->second) {
+      if (!is_nameable(link_name(model, a)) || !is_nameable(link_name(model, b))) {
+        ++lost;
+        continue;
+      }
       std::string& names = ignored[a];
       names += (names.empty() ? "" : ", ") + quoted(group(b));
       ignored.try_emplace(b);
     }
     for (const auto& [at, names] : ignored) add(group(at), link(at), names);
+    if (lost > 0) report_unnamed(model, counted(lost, "pair") + " of links");
   }
 
   const SceneExport& scene_;
@@ -179,6 +212,7 @@ class DirectivesWriter {
   std::vector<std::string> names_;
   std::vector<bool> is_written_ = std::vector<bool>(scene_.flat.instances.size());
   LinkFrames frames_;
+  std::set<const LinkedModel*> reported_;
   std::string out_;
 };
 
@@ -193,6 +227,8 @@ extern constinit const SceneFormat scene_dmd{
     .has_reference_form = true,
     .has_expanded_form = false,
     .has_contacts = true,
+    .has_link_pairs = true,
+    .usual_contacts = SelfCollision::srdf,
     .fixes_world_roots = true};
 
 }  // namespace smurf::scene_dmd_file

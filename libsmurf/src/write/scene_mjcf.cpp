@@ -489,6 +489,11 @@ extern constinit const SceneFormat scene_mjcf{
     .repeats_models = true,
     .has_motors = true,
     .has_contacts = true,
+    .has_link_pairs = true,
+    .has_bitmasks = true,
+    .has_neighbours = true,
+    .welds_links = true,
+    .usual_contacts = SelfCollision::srdf,
     .fixes_world_roots = true,
     .repeated_parts = repeated_parts};
 

@@ -2,8 +2,11 @@
 // SDFormat worlds for Gazebo. Entities that are fixed to each other share one outer model, since
 // SDF 1.9 has no joints between models.
 #include <map>
-#include <set>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/text/unique_names.hpp"
 #include "write/parts/annotated_colors.hpp"
@@ -199,33 +202,86 @@ class SdfWriter : SdfJoints {
       const bool is_written = tree.bodies[at] != SdfTree::kNoBody && (at != root || !has_world);
       if (X_EL[at] && is_written) parts[tree.bodies[at]].push_back(at);
     }
+    Scopes scopes;
     for (const LinkIndex link : model.tree.order) {
       const std::size_t at = to_size(link);
       const std::size_t body = tree.bodies[at];
-      if (body == SdfTree::kNoBody || !X_EL[at] || !X_EL[body]) continue;
-      if (at == root && has_world) continue;
-      if (body == at) add_link(i, model, at, parts[at], X_EL);
-      if (body != at && !is_old_) add_frame(model, at, body, X_EL);
+      const bool is_lost = body == SdfTree::kNoBody || !X_EL[at] || !X_EL[body];
+      if (is_lost || (at == root && has_world) || (body != at && is_old_)) continue;
+      scope_in(scopes, sdf_scope(links_of(model)[at])).links.push_back(at);
     }
     for (const SdfJoint& joint : tree.joints) {
       if (!X_EL[joint.frame] || !X_EL[tree.bodies[joint.frame]]) continue;
       const bool is_in_world = joint.parent == root && has_world;
-      const std::size_t parent = tree.bodies[joint.parent];
-      add_joint(i, model, joint, is_in_world ? "world" : links_of(model)[parent]);
+      const std::string& child = links_of(model)[tree.bodies[joint.frame]];
+      std::string parent = is_in_world ? "world" : links_of(model)[tree.bodies[joint.parent]];
+      const std::string name = joint.joint->name.value_or({});
+      Scope& scope = scope_in(scopes, sdf_joint_scope(name, parent, child));
+      scope.joints.emplace_back(&joint, std::move(parent));
     }
+    add_scope(i, model, scopes, {}, parts, X_EL);
     for (const Loop& loop : loops_of(model)) {
       if (loop.joint != nullptr) add_loop(i, model, loop);
     }
     if (is_fixed && !has_world) {
       add_fixed_joint("anchor_to_world", "world", root_name(model));
     }
+    add_own_contacts();
     parts_of(model).gazebo.add_to_model(xml_);
     xml_.close();
   }
 
+  /// Links that a joint connects never touch in SDF.
+  void add_own_contacts() {
+    const SelfCollision choice = scene_.contacts.choice;
+    if (choice == SelfCollision::as_usual) return;
+    xml_.leaf("self_collide", choice == SelfCollision::none ? "false" : "true");
+  }
+
+  /// What is in a model, and not in the models in it.
+  struct Scope {
+    std::vector<std::size_t> links;
+    std::vector<std::pair<const SdfJoint*, std::string>> joints;  ///< with the name of the parent
+    std::vector<std::string> models;
+  };
+  using Scopes = std::map<std::string, Scope, std::less<>>;
+
+  static Scope& scope_in(Scopes& scopes, std::string_view name) {
+    const auto found = scopes.find(name);
+    if (found != scopes.end()) return found->second;
+    if (!name.empty()) scope_in(scopes, sdf_scope(name)).models.emplace_back(name);
+    return scopes[std::string(name)];
+  }
+
+  /// The frames of nested models are that of the outermost one.
+  void add_scope(std::size_t i, const LinkedModel& model, const Scopes& scopes,
+                 std::string_view name, const std::vector<std::vector<std::size_t>>& parts,
+                 const std::vector<std::optional<Pose>>& X_EL) {
+    const auto found = scopes.find(name);
+    if (found == scopes.end()) return;
+    for (const std::size_t link : found->second.links) {
+      const std::size_t body = parts_of(model).tree.bodies[link];
+      if (body == link) add_link(i, model, link, parts[link], X_EL);
+      if (body != link) add_frame(model, link, body, X_EL);
+    }
+    for (const auto& [joint, parent] : found->second.joints) {
+      add_joint(i, model, *joint, parent, name);
+    }
+    for (const std::string& inner : found->second.models) {
+      xml_.open("model", {{"name", std::string(sdf_local(inner, name))}});
+      add_scope(i, model, scopes, inner, parts, X_EL);
+      xml_.close();
+    }
+  }
+
+  static std::string local_name(const std::string& name) {
+    return std::string(sdf_local(name, sdf_scope(name)));
+  }
+
   void add_frame(const LinkedModel& model, std::size_t part, std::size_t body,
                  const std::vector<std::optional<Pose>>& X_EL) {
-    xml_.open("frame", {{"name", links_of(model)[part]}, {"attached_to", links_of(model)[body]}});
+    xml_.open("frame", {{"name", local_name(links_of(model)[part])},
+                        {"attached_to", local_name(links_of(model)[body])}});
     add_pose(inverse(*X_EL[body]) * *X_EL[part]);
     xml_.close();
   }
@@ -233,7 +289,7 @@ class SdfWriter : SdfJoints {
   void add_link(std::size_t i, const LinkedModel& model, std::size_t body,
                 const std::vector<std::size_t>& parts,
                 const std::vector<std::optional<Pose>>& X_EL) {
-    xml_.open("link", {{"name", links_of(model)[body]}});
+    xml_.open("link", {{"name", local_name(links_of(model)[body])}});
     add_pose(*X_EL[body]);
     const urdf::Link& whole = model.robot->links[body];
     const ChosenMass mass = link_mass(model, whole);
@@ -245,7 +301,7 @@ class SdfWriter : SdfJoints {
     for (const std::size_t part : parts) {
       const Pose X_BL = inverse(*X_EL[body]) * *X_EL[part];
       add_shapes(model, scene_.flat.models[*flat(i).model], part, X_BL);
-      const std::string frame = part == body || is_old_ ? "" : links_of(model)[part];
+      const std::string frame = part == body || is_old_ ? "" : local_name(links_of(model)[part]);
       parts_of(model).add_to_link(xml_, part, frame, X_BL, is_old_, sensors);
     }
     xml_.close();
@@ -341,6 +397,8 @@ extern constinit const SceneFormat scene_sdf{
     .has_reference_form = true,
     .has_ground = true,
     .repeats_models = true,
+    .has_contacts = true,
+    .has_bitmasks = true,
     .fixes_world_roots = true,
     .repeated_parts = sdf_parts};
 
@@ -354,6 +412,7 @@ extern constinit const SceneFormat scene_sdf16{
     .write = [](const SceneExport& scene) { return scene_sdf_file::SdfWriter(scene, true).run(); },
     .has_ground = true,
     .repeats_models = true,
+    .has_contacts = true,
     .fixes_world_roots = true,
     .repeated_parts = sdf_parts};
 

@@ -383,6 +383,7 @@ extern constinit const SceneFormat scene_urdf{
     .help = "one URDF with a prefix before the names of each model",
     .write = [](const SceneExport& scene) { return UrdfMerger(scene).run(); },
     .repeats_models = true,
+    .loses_link_pairs = true,
     .fixes_world_roots = true,
     .repeated_parts = repeated_parts};
 

@@ -11,6 +11,7 @@
 #include "write/parts/annotated_colors.hpp"
 #include "write/parts/contacts.hpp"
 #include "write/parts/placed_shapes.hpp"
+#include "write/usd/usd_filters.hpp"
 #include "write/usd/usd_lights.hpp"
 #include "write/usd/usd_physics.hpp"
 
@@ -19,6 +20,8 @@ namespace {
 
 /// "(0, 0, 0), ", and "0, " plus a third of the "3, " for the number of corners.
 constexpr PreviewMeshes::Cost kCost{11, 4};
+
+constexpr std::string_view kFilteredPairs = "PhysicsFilteredPairsAPI";
 
 std::vector<std::string> schemas_of_body() { return {"PhysicsRigidBodyAPI", "PhysicsMassAPI"}; }
 
@@ -30,6 +33,7 @@ class UsdaWriter {
         names_(safe_names(scene.flat)),
         text_(scene.most_bytes),
         physics_(scene, names_, losses_, text_),
+        filters_(scene),
         files_(scene, kCost) {}
 
   std::string run() {
@@ -87,8 +91,12 @@ class UsdaWriter {
     const auto& X_EL = frames_of(scene_, index, frames_);
     for (std::size_t link = 0; link < layout.links.size() && !text_.is_full(); ++link) {
       if (!layout.is_body(link)) continue;
-      open_link(index, link, *X_EL[link], schemas_of_body());
+      const std::vector<std::string> apart = untouched_bodies(index, link);
+      std::vector<std::string> schemas = schemas_of_body();
+      if (!apart.empty()) schemas.emplace_back(kFilteredPairs);
+      open_link(index, link, *X_EL[link], schemas);
       physics_.add_mass(index, link);
+      add_filter(apart);
       add_shapes(index, link);
       for (const std::size_t frame : layout.frames[link]) {
         open_link(index, frame, layout.links[frame]->X_BL, {});
@@ -127,13 +135,59 @@ class UsdaWriter {
       add(visual, {}, colors_.of(visual, model, flat));
     }
     const bool is_shown = written.visuals.empty();
+    const std::vector<std::string> apart = untouched_shapes(index, link);
     number = 0;
     for (const urdf::Collision& collision : written.collisions) {
       Solid solid{.prim = is_shown ? "shape_" : "collision_", .collides = true};
       solid.is_shown = is_shown;
+      solid.apart = apart;
       solid.friction = contacts_of(model).of(collision, written).friction1;
       add(collision, std::move(solid), std::nullopt);
     }
+  }
+
+  std::string path(std::size_t index, std::size_t link) {
+    return "/World/" + names_[index] + "/" + physics_.layout_of(index).links[link]->path;
+  }
+
+  const UsdFilter& filter_of(std::size_t index, std::size_t link) {
+    return filters_.of(*robot_of(scene_.scene, index), physics_.layout_of(index), link);
+  }
+
+  std::vector<std::string> untouched_bodies(std::size_t index, std::size_t link) {
+    std::vector<std::string> paths;
+    for (const std::size_t other : filter_of(index, link).bodies) {
+      paths.push_back(path(index, other));
+    }
+    return paths;
+  }
+
+  /// The collisions that those of a link do not touch.
+  std::vector<std::string> untouched_shapes(std::size_t index, std::size_t link) {
+    std::vector<std::string> paths;
+    const LinkedModel& model = *robot_of(scene_.scene, index);
+    const FlatModel& flat = scene_.flat.models[*scene_.flat.instances[index].model];
+    for (const std::size_t other : filter_of(index, link).links) {
+      const urdf::Link& written = model.robot->links[other];
+      const std::string prim = written.visuals.empty() ? "shape_" : "collision_";
+      std::size_t number = 0;
+      for (const urdf::Collision& collision : written.collisions) {
+        const auto geometry = to_flat(collision.geometry, flat);
+        if (!geometry) continue;
+        ++number;
+        const auto* file = std::get_if<FlatMesh>(&*geometry);
+        if (file != nullptr && !mesh_in(file->file, collision.span).why_none.empty()) continue;
+        paths.push_back(path(index, other) + "/" + prim + std::to_string(number));
+      }
+    }
+    return paths;
+  }
+
+  void add_filter(const std::vector<std::string>& paths) {
+    if (paths.empty()) return;
+    std::string list;
+    for (const std::string& one : paths) list += (list.empty() ? "<" : ", <") + one + ">";
+    text_.line("rel physics:filteredPairs = [" + list + "]");
   }
 
   const CollisionContacts& contacts_of(const LinkedModel& model) {
@@ -183,6 +237,7 @@ class UsdaWriter {
     bool is_shown = true;
     bool moves = true;
     std::optional<double> friction = {};
+    std::vector<std::string> apart = {};  ///< paths of collisions that it does not touch
   };
 
   void add_shape(const LinkShape& shape, const Solid& solid) {
@@ -191,6 +246,7 @@ class UsdaWriter {
     std::vector<std::string> schemas;
     if (solid.collides) schemas.emplace_back("PhysicsCollisionAPI");
     if (solid.friction) schemas.emplace_back("MaterialBindingAPI");
+    if (!solid.apart.empty()) schemas.emplace_back(kFilteredPairs);
     if (const auto* box = std::get_if<FlatBox>(&shape.geometry)) {
       text_.open("Cube", solid.prim, schemas);
       text_.line("double size = 1");
@@ -226,6 +282,7 @@ class UsdaWriter {
     }
     if (!solid.is_shown) text_.line("uniform token purpose = \"guide\"");
     if (solid.friction) bind_friction(*solid.friction);
+    add_filter(solid.apart);
     if (shape.color) add_color(*shape.color);
     text_.close();
   }
@@ -275,13 +332,17 @@ class UsdaWriter {
       losses_.unseen_shape(shape.span, shape.geometry, {});
       return nullptr;
     }
-    const std::string& file = files_.first_name(geometry->file);
-    const auto [known, is_new] = mesh_of_file_.try_emplace(file, meshes_.size());
-    if (is_new) meshes_.push_back(read_mesh(file, shape.span));
-    const Mesh& mesh = meshes_[known->second];
+    const Mesh& mesh = mesh_in(geometry->file, shape.span);
     if (mesh.why_none.empty()) return &mesh;
     losses_.unseen_shape(shape.span, shape.geometry, mesh.why_none);
     return nullptr;
+  }
+
+  const Mesh& mesh_in(const std::string& name, Span place) {
+    const std::string& file = files_.first_name(name);
+    const auto [known, is_new] = mesh_of_file_.try_emplace(file, meshes_.size());
+    if (is_new) meshes_.push_back(read_mesh(file, place));
+    return meshes_[known->second];
   }
 
   Mesh read_mesh(const std::string& file, Span place) {
@@ -381,6 +442,7 @@ class UsdaWriter {
   LinkFrames frames_;
   UsdaText text_;
   UsdPhysics physics_;
+  UsdFilters filters_;
   std::map<const LinkedModel*, CollisionContacts> contacts_;
   AnnotatedColors colors_;
   std::string materials_;                    ///< path of the scope of the entity
@@ -399,6 +461,10 @@ extern constinit const SceneFormat scene_usda{
     .write = [](const SceneExport& scene) { return UsdaWriter(scene).run(); },
     .repeats_models = true,
     .has_motors = true,
+    .has_contacts = true,
+    .has_link_pairs = true,
+    .has_neighbours = true,
+    .usual_contacts = SelfCollision::none,
     .fixes_world_roots = true};
 
 }  // namespace smurf::scene_usda_file

@@ -160,13 +160,35 @@ Found velocities(const LinkedModel& model, SceneColumn) {
   });
 }
 
-Found own_collisions(const LinkedModel& model, SceneColumn) {
+Found own_collisions(const SceneExport& scene, SceneColumn) {
   Found found;
-  if (!model.robot) return found;
-  const auto collides = [](const urdf::Link& link) { return !link.collisions.empty(); };
-  const auto& links = model.robot->links;
-  if (std::count_if(links.begin(), links.end(), collides) < 2) return found;
-  found.push_back({{model.robot->document.source, 0, 0}, shortened(model.path, kMostOfName)});
+  const SelfCollision choice = scene.contacts.choice;
+  if (choice != SelfCollision::as_usual && choice != SelfCollision::none) return found;
+  for (const LinkedModel& model : scene.scene.models) {
+    if (!model.robot) continue;
+    const auto collides = [](const urdf::Link& link) { return !link.collisions.empty(); };
+    const auto& links = model.robot->links;
+    if (std::count_if(links.begin(), links.end(), collides) < 2) continue;
+    found.push_back({{model.robot->document.source, 0, 0}, shortened(model.path, kMostOfName)});
+  }
+  return found;
+}
+
+Found disabled_pairs(const SceneExport& scene, SceneColumn column) {
+  Found found;
+  const bool is_sdf = column == SceneColumn::sdf || column == SceneColumn::sdf16;
+  for (const LinkedModel& model : scene.scene.models) {
+    const auto pairs = scene.contacts.left_out.find(&model);
+    if (pairs == scene.contacts.left_out.end()) continue;
+    const bool is_usual = scene.contacts.choice == SelfCollision::as_usual;
+    if (is_sdf && is_usual && !touches_itself(model)) continue;
+    for (const auto& [link, other] : pairs->second) {
+      const urdf::Link& first = model.robot->links[link];
+      found.push_back(
+          {first.span, shortened(first.name.value_or({}), kMostOfName) + " and " +
+                           shortened(model.robot->links[other].name.value_or({}), kMostOfName)});
+    }
+  }
   return found;
 }
 
@@ -230,11 +252,11 @@ Found other_than_sensors(const LinkedModel& model, SceneColumn column, const aut
 
 }  // namespace
 
-Found gazebo_elements(const LinkedModel& model, SceneColumn column) {
+Found gazebo_elements(const LinkedModel& model, SceneColumn column, const MotorOptions& options) {
   Found found;
   if (!model.robot) return found;
   if (column == SceneColumn::mjcf) {
-    return other_than_sensors(model, column, mujoco_sensors(model), unsaid_by_mujoco);
+    return other_than_sensors(model, column, mujoco_sensors(model, options), unsaid_by_mujoco);
   }
   if (column == SceneColumn::html) {
     return other_than_sensors(model, column, viewer_sensors(model), unshown_settings);
@@ -272,10 +294,11 @@ Found other_attributes(const LinkedModel& model, SceneColumn) {
   return model.robot ? find_undefined(model).attributes : Found();
 }
 
-Found sensors(const LinkedModel& model, SceneColumn column) {
+Found sensors(const LinkedModel& model, SceneColumn column, const MotorOptions& options) {
   std::set<const Sensor*> written;
   if (column == SceneColumn::mjcf) {
-    for (const MujocoSensor& sensor : mujoco_sensors(model)) written.insert(sensor.annotation);
+    for (const MujocoSensor& sensor : mujoco_sensors(model, options))
+      written.insert(sensor.annotation);
   } else if (column == SceneColumn::html) {
     written = sensors_on_page(model);
   } else if (column == SceneColumn::sdf) {
@@ -292,7 +315,7 @@ Found sensors(const LinkedModel& model, SceneColumn column) {
   return found;
 }
 
-Found sensor_keys(const LinkedModel& model, SceneColumn column) {
+Found sensor_keys(const LinkedModel& model, SceneColumn column, const MotorOptions& options) {
   Found found;
   const auto add = [&](const Sensor& sensor, auto is_said) {
     for (FoundThing& key : other_keys(model, sensor, {})) {
@@ -301,7 +324,7 @@ Found sensor_keys(const LinkedModel& model, SceneColumn column) {
   };
   if (column == SceneColumn::mjcf) {
     const Sensor* last = nullptr;  // each ray of a scan becomes a sensor
-    for (const MujocoSensor& sensor : mujoco_sensors(model)) {
+    for (const MujocoSensor& sensor : mujoco_sensors(model, options)) {
       if (sensor.annotation == nullptr || sensor.annotation == last) continue;
       last = sensor.annotation;
       add(*last, is_said_by_mujoco);

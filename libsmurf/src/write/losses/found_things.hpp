@@ -30,7 +30,6 @@ Found textures(const LinkedModel& model, SceneColumn column);
 Found efforts(const LinkedModel& model, SceneColumn column, const MotorOptions& options);
 Found velocities(const LinkedModel& model, SceneColumn);
 Found joint_frictions(const LinkedModel& model, SceneColumn);
-Found own_collisions(const LinkedModel& model, SceneColumn);
 Found safety_controllers(const LinkedModel& model, SceneColumn);
 Found calibrations(const LinkedModel& model, SceneColumn);
 Found newer_limits(const LinkedModel& model, SceneColumn);
@@ -40,7 +39,7 @@ Found chosen_gains(const LinkedModel& model, SceneColumn column, const MotorOpti
 Found transmissions(const LinkedModel& model, SceneColumn column, const MotorOptions& options);
 Found ros2_controls(const LinkedModel& model, SceneColumn column, const MotorOptions& options);
 /// SDF: only elements that Gazebo does not convert. MJCF: all elements except sensors.
-Found gazebo_elements(const LinkedModel& model, SceneColumn column);
+Found gazebo_elements(const LinkedModel& model, SceneColumn column, const MotorOptions& options);
 /// Sensors that need plug-ins of the world in Gazebo.
 Found sensor_systems(const LinkedModel& model, SceneColumn);
 Found other_extensions(const LinkedModel& model, SceneColumn);
@@ -64,9 +63,9 @@ Found motors(const LinkedModel& model, SceneColumn column, const MotorOptions& o
 /// Keys that actuators of MuJoCo, or drives of USD, do not have.
 Found motor_keys(const LinkedModel& model, SceneColumn column);
 /// SDF and MJCF: only sensors that the format does not have.
-Found sensors(const LinkedModel& model, SceneColumn column);
+Found sensors(const LinkedModel& model, SceneColumn column, const MotorOptions& options);
 /// Keys that sensors of Gazebo, or of MuJoCo, do not have.
-Found sensor_keys(const LinkedModel& model, SceneColumn column);
+Found sensor_keys(const LinkedModel& model, SceneColumn column, const MotorOptions& options);
 /// HTML: only materials that the URDF does not have.
 Found materials(const LinkedModel& model, SceneColumn column);
 /// Keys of materials that the page does not show.
@@ -78,6 +77,12 @@ Found collision_settings(const LinkedModel& model, SceneColumn column);
 Found other_sections(const LinkedModel& model, SceneColumn);
 
 // In scenes.
+/// Models within which nothing touches, since nobody chose what does.
+Found own_collisions(const SceneExport& scene, SceneColumn);
+/// Links and joints of models with another name in the SDF.
+Found reserved_names(const SceneExport& scene, SceneColumn column);
+/// Pairs of links that touch in the result, and that the SRDF or the model disables.
+Found disabled_pairs(const SceneExport& scene, SceneColumn column);
 Found no_gravity(const SceneExport& scene, SceneColumn);
 Found no_step(const SceneExport& scene, SceneColumn);
 Found ambient_lights(const SceneExport& scene, SceneColumn);

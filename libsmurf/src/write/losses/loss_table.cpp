@@ -65,6 +65,12 @@ constexpr std::string_view kHulls =
 constexpr std::string_view kSquare =
     "changed: Gazebo refuses images that are not square with 2^n + 1 pixels a side, such as 129; "
     "give the image such a size";
+constexpr std::string_view kOwnContacts =
+    "kept: none, as Gazebo makes of a URDF, unless `self_collide` or --self-collision lets links "
+    "touch";
+constexpr std::string_view kNoPairs =
+    "lost: `self_collide` is for all links of a model, and bitmasks are for all models; "
+    "--self-collision none lets none of its links touch";
 constexpr std::string_view kColours = "lost: shapes have colours";
 
 constexpr SceneThing kThings[] = {
@@ -151,17 +157,29 @@ constexpr SceneThing kThings[] = {
      .in_motors = things::ros2_controls,
      .cells = {kPlugin, kPlugin, kActuator, kKept,
                "lost: Drake makes actuators of `<transmission>` only", kShown, kShown, kDrive}},
+    {.title = "reserved names of links and joints",
+     .in_scene = things::reserved_names,
+     .cells = {"changed: SDF reserves `world`, `true`, `false`, names such as `__this__`, and `::` "
+               "outside of nested models",
+               "changed: SDF reserves `world`, `true`, `false`, names such as `__this__`, and `::`",
+               kKept, kKept, kKept, kKept, kKept, kKept}},
     {.title = "collisions within a robot",
-     .in_model = things::own_collisions,
-     .cells = {kKept, kKept, kKept, kKept, kKept, kKept, kShown,
-               "added: none, as in NVIDIA's importer of URDFs, because convex hulls overlap"}},
+     .in_scene = things::own_collisions,
+     .cells = {kOwnContacts, kOwnContacts, kKept, kKept, kKept, kKept, kKept,
+               "added: none, as in NVIDIA's importer of URDFs, because convex hulls overlap; "
+               "--self-collision chooses what can touch"}},
+    {.title = "pairs of links that cannot touch",
+     .in_scene = things::disabled_pairs,
+     .cells = {kNoPairs, kNoPairs, "kept: as `exclude`",
+               "lost: the SRDF of a robot says which these are", "kept: as filter groups", kKept,
+               kKept, kKept}},
     {.title = "gains of motors",
      .in_motors = things::chosen_gains,
      .cells = {kKept, kKept, kStableGains, kKept, kKept, kKept, kKept, kGains}},
     {.title = kBoundedGains,
      .cells = {kKept, kKept, kBoundedServo, kKept, kKept, kKept, kKept, kKept}},
     {.title = "elements in <gazebo>",
-     .in_model = things::gazebo_elements,
+     .in_motors = things::gazebo_elements,
      .cells = {kAsGazebo, kAsGazebo,
                "partly: sensors that MuJoCo has, and joints that close a loop", kKept, kKept,
                kFields, kShown, kGazeboOnly}},
@@ -192,12 +210,12 @@ constexpr SceneThing kThings[] = {
                "lost: drives of USD have stiffness, damping, effort and speed only"}},
     {.title = "sensor",
      .of = ThingOf::annotation,
-     .in_model = things::sensors,
+     .in_motors = things::sensors,
      .cells = {"partly: types that Gazebo has", kLost, "partly: types that MuJoCo has", kLost,
                kLost, "partly: sensors on a link", kLost, kLost}},
     {.title = "sensor setting",
      .of = ThingOf::annotation,
-     .in_model = things::sensor_keys,
+     .in_motors = things::sensor_keys,
      .cells = {"lost: Gazebo's sensors have no such setting", kKept,
                "lost: MuJoCo's sensors have no such setting", kKept, kKept,
                "lost: the page shows poses and fields of view", kKept, kKept}},

@@ -139,7 +139,7 @@ Vector3 SceneLosses::axis_of(const urdf::Joint& joint) {
 void SceneLosses::table() {
   for (const LinkedModel& model : scene_.scene.models) of_model(model);
   for (const SceneThing& thing : scene_things()) {
-    if (thing.of == ThingOf::scene) of_scene(thing);
+    if (thing.of == ThingOf::scene || thing.in_scene != nullptr) of_scene(thing);
     const auto noted = noted_.find(thing.title);
     if (noted == noted_.end()) continue;
     std::vector<FoundThing> found;

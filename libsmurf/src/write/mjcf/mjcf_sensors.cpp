@@ -8,7 +8,7 @@ namespace smurf {
 RepeatedParts mjcf_devices(const LinkedModel& model) {
   constexpr std::uint64_t kElement = 400;  // bytes, as check_scene_size() counts shapes
   RepeatedParts parts;
-  for (const MujocoSensor& sensor : mujoco_sensors(model)) {
+  for (const MujocoSensor& sensor : mujoco_sensors(model, {})) {
     parts.bytes += kElement + sensor.name.size();
     parts.names += 1;
     for (const MujocoReading& reading : sensor.readings) {
@@ -28,7 +28,7 @@ const MjcfSensors::OfModel& MjcfSensors::sensors_of(const LinkedModel& model) {
   const auto [known, is_new] = of_model_.try_emplace(&model);
   OfModel& found = known->second;
   if (!is_new) return found;
-  found.sensors = mujoco_sensors(model);
+  found.sensors = mujoco_sensors(model, scene_.motors);
   for (std::size_t i = 0; i < found.sensors.size(); ++i) {
     if (found.sensors[i].link) found.by_link.emplace(*found.sensors[i].link, i);
   }

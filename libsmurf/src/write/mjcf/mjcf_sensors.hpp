@@ -11,7 +11,8 @@
 
 namespace smurf {
 
-/// The sensors of a model and the motors of its joints, written for each instance.
+/// The sensors of a model and the motors of its joints, written for each instance; without the
+/// motors that options add.
 RepeatedParts mjcf_devices(const LinkedModel& model);
 
 class MjcfSensors : protected MjcfActuators {

@@ -38,9 +38,10 @@ double number_in(xml::View element, std::string_view child, double fallback) {
 
 class SensorReader {
  public:
-  explicit SensorReader(const LinkedModel& model)
+  SensorReader(const LinkedModel& model, const MotorOptions& options)
       : model_(model), X_RL_(forward_kinematics(model, {})), boxes_(model) {
-    for (const JointDrive& drive : joint_drives(model)) motors_.emplace(drive.joint, drive.name);
+    for (const JointDrive& drive : joint_drives(model, options))
+      motors_.emplace(drive.joint, drive.name);
   }
 
   std::vector<MujocoSensor> read() {
@@ -285,8 +286,8 @@ class SensorReader {
 
 }  // namespace
 
-std::vector<MujocoSensor> mujoco_sensors(const LinkedModel& model) {
-  return model.robot ? SensorReader(model).read() : std::vector<MujocoSensor>();
+std::vector<MujocoSensor> mujoco_sensors(const LinkedModel& model, const MotorOptions& options) {
+  return model.robot ? SensorReader(model, options).read() : std::vector<MujocoSensor>();
 }
 
 std::vector<xml::View> unsaid_by_mujoco(xml::View sensor) {

@@ -120,6 +120,19 @@ bool has_shapes_for(const urdf::Link& link, std::string_view element) {
 
 }  // namespace
 
+bool touches_itself(const LinkedModel& model) {
+  if (!model.robot) return false;
+  for (const xml::ElementId id : model.robot->extensions) {
+    const xml::View gazebo(model.robot->document, id);
+    if (gazebo.name() != "gazebo") continue;
+    for (const xml::View child : gazebo) {
+      const bool is_asked = is_one_of(child.name(), {"selfCollide", "self_collide"});
+      if (is_asked && is_true(value_of(child))) return true;
+    }
+  }
+  return false;
+}
+
 bool is_taken_by_gazebo(const LinkedModel& model, xml::View child) {
   const bool needs_name = child.name() == "sensor" || child.name() == "plugin";
   if (needs_name && attribute_of(child, "name").empty()) return false;
@@ -262,18 +275,24 @@ void GazeboElements::add_raw(XmlText& xml, xml::View element, std::string_view f
 
 void GazeboElements::add_to_model(XmlText& xml) const {
   UniqueNames none;
-  for (const xml::View element : of({})) add_raw(xml, element, {}, {}, none);
+  for (const xml::View element : of({})) {
+    if (has_own_contacts_ || element.name() != "self_collide") add_raw(xml, element, {}, {}, none);
+  }
 }
 
 void GazeboElements::add_to_link(XmlText& xml, std::string_view part, std::string_view frame,
                                  const Pose& X_BL, UniqueNames& names) const {
   for (const xml::View element : of(part)) {
-    if (!is_one_of(element.name(), kOfLinks)) add_raw(xml, element, frame, X_BL, names);
+    if (is_one_of(element.name(), kOfLinks)) continue;
+    if (has_own_contacts_ || element.name() != "self_collide") {
+      add_raw(xml, element, frame, X_BL, names);
+    }
   }
   // A part must not set what applies to the whole link.
   if (!frame.empty() || X_BL != Pose{}) return;
-  if (const std::string_view text = value(part, "selfCollide"); !text.empty()) {
-    xml.leaf("self_collide", is_true(text) ? "1" : "0");
+  const std::string_view own = value(part, "selfCollide");
+  if (has_own_contacts_ && !own.empty()) {
+    xml.leaf("self_collide", is_true(own) ? "1" : "0");
   }
   if (const std::string_view text = value(part, "turnGravityOff"); !text.empty()) {
     xml.leaf("gravity", is_true(text) ? "false" : "true");

@@ -28,6 +28,9 @@ bool is_of_spring(const LinkedModel& model, xml::View child);
 /// By name of the joint.
 std::map<std::string_view, JointSpring> springs_of(const LinkedModel& model);
 
+/// Whether the model says that its links can touch each other.
+bool touches_itself(const LinkedModel& model);
+
 /// The plug-ins in a sensor that SDF refuses, because they name no file.
 std::vector<xml::View> broken_plugins(xml::View sensor);
 
@@ -43,6 +46,9 @@ class GazeboElements {
   }
   /// Makes an element belong to another link.
   void move(xml::ElementId element, std::string_view from, const std::string& to);
+
+  /// Leaves out what the elements say about contacts within the model.
+  void leave_out_own_contacts() { has_own_contacts_ = false; }
 
   /// The contents of <model>.
   void add_to_model(XmlText& xml) const;
@@ -95,6 +101,7 @@ class GazeboElements {
 
   const LinkedModel& model_;
   std::string_view source_;
+  bool has_own_contacts_ = true;
   std::map<xml::ElementId, std::vector<std::pair<Span, std::string>>> texts_;
   std::map<std::string, Part, std::less<>> by_reference_;  ///< "": the model
 };

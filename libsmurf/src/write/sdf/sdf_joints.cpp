@@ -8,7 +8,14 @@ namespace smurf {
 namespace {
 
 /// Links and joints share one name space in SDF, but not in a URDF.
-std::string joint_name(const LinkedModel& model, const urdf::Joint& joint) {
+std::string joint_name(const LinkedModel& model, const urdf::Joint& joint,
+                       std::string_view scope = {}) {
+  if (!scope.empty() && sdf_scope(*joint.name) == scope) {
+    const std::string inside = std::string(scope) + "::";
+    std::string name = sdf_name(sdf_local(*joint.name, scope));
+    while (model.link_names.contains(inside + name)) name += "_joint";
+    return name;
+  }
   std::string name = sdf_name(*joint.name);
   const auto is_taken = [&](const std::string& one) {
     return model.link_names.contains(one) ||
@@ -20,9 +27,11 @@ std::string joint_name(const LinkedModel& model, const urdf::Joint& joint) {
 
 }  // namespace
 
-const std::vector<std::string>& SdfJoints::links_of(const LinkedModel& model) const {
+const std::vector<std::string>& SdfJoints::links_of(const LinkedModel& model) {
   const auto [known, is_new] = links_.try_emplace(&model);
-  if (is_new) known->second = sdf_names(model);
+  if (!is_new) return known->second;
+  const bool has_models = !is_old_ && scene_.form == SceneForm::expand;
+  known->second = sdf_names(model, has_models ? &parts_of(model).tree.bodies : nullptr);
   return known->second;
 }
 
@@ -56,7 +65,7 @@ double SdfJoints::start_of(std::size_t i, const LinkedModel& model,
 }
 
 void SdfJoints::add_joint(std::size_t i, const LinkedModel& model, const SdfJoint& one,
-                          const std::string& parent) {
+                          const std::string& parent, std::string_view scope) {
   using enum urdf::JointType;
   const urdf::Joint& joint = *one.joint;
   if (joint.type == floating) return;  // bodies of one model without a joint between them
@@ -74,13 +83,13 @@ void SdfJoints::add_joint(std::size_t i, const LinkedModel& model, const SdfJoin
                            : joint.type == prismatic             ? "prismatic"
                            : joint.has_one_axis()                ? "revolute"
                                                                  : "fixed";
-  std::string name = joint.name ? joint_name(model, joint) : child + "_joint";
+  std::string name = joint.name ? joint_name(model, joint, scope) : sdf_name(child) + "_joint";
   if (is_ball) name.resize(name.size() - std::string_view("_x").size());
   xml_.open("joint", {{"name", name}, {"type", type}});
   const std::vector<std::optional<Pose>>& X_EL = frames_of(scene_, i, frames_);
   if (body != one.frame && type != "fixed") add_pose(inverse(*X_EL[body]) * *X_EL[one.frame]);
-  xml_.leaf("parent", parent);
-  xml_.leaf("child", child);
+  xml_.leaf("parent", std::string(sdf_local(parent, scope)));
+  xml_.leaf("child", std::string(sdf_local(child, scope)));
   if (one.kind == SdfJointKind::screw)
     xml_.leaf("thread_pitch", -1 / one.second->mimic->multiplier.value_or(1));
   if (!is_ball && joint.has_one_axis()) {
@@ -150,7 +159,8 @@ void SdfJoints::add_mimic(std::size_t i, const LinkedModel& model, const urdf::J
   const double multiplier = joint.mimic->multiplier.value_or(1);
   const double offset = joint.mimic->offset.value_or(0) + multiplier * start_of(i, model, leading) -
                         start_of(i, model, joint);
-  xml_.open("mimic", {{"joint", joint_name(model, leading)}});
+  const std::string_view scope = sdf_scope(joint.name.value_or({}));
+  xml_.open("mimic", {{"joint", joint_name(model, leading, scope)}});
   xml_.leaf("multiplier", multiplier);
   xml_.leaf("offset", offset);
   xml_.leaf("reference", 0);

@@ -28,16 +28,16 @@ class SdfJoints {
  protected:
   const FlatInstance& flat(std::size_t i) const { return scene_.flat.instances[i]; }
   const LinkedModel* robot_of(std::size_t i) const { return smurf::robot_of(scene_.scene, i); }
-  /// The names of its links.
-  const std::vector<std::string>& links_of(const LinkedModel& model) const;
+  /// The names of its links, with those of nested models.
+  const std::vector<std::string>& links_of(const LinkedModel& model);
   /// Facts about a model, computed once.
   const SdfModel& parts_of(const LinkedModel& model);
   void add_pose(const Pose& pose) { add_sdf_pose(xml_, pose, is_old_); }
   void add_fixed_joint(const std::string& name, const std::string& parent,
                        const std::string& child);
-  /// `parent`: the name of its body.
+  /// `parent`: the name of its body; `scope`: the nested model that is open.
   void add_joint(std::size_t i, const LinkedModel& model, const SdfJoint& joint,
-                 const std::string& parent);
+                 const std::string& parent, std::string_view scope);
   /// A joint to a second parent; its zero is at the start, as that of others.
   void add_loop(std::size_t i, const LinkedModel& model, const Loop& loop);
 
@@ -56,7 +56,7 @@ class SdfJoints {
                 const Pose& X_FJ = {}, std::string_view element = "axis");
   void add_mimic(std::size_t i, const LinkedModel& model, const urdf::Joint& joint);
 
-  mutable std::map<const LinkedModel*, std::vector<std::string>> links_;
+  std::map<const LinkedModel*, std::vector<std::string>> links_;
   std::map<const LinkedModel*, std::unique_ptr<SdfModel>> models_;
 };
 

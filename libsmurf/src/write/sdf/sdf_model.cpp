@@ -38,6 +38,7 @@ SdfModel::SdfModel(const LinkedModel& model, const SceneExport& scene)
       shape_names(sdf_shape_names(model, tree.bodies)),
       contacts(model),
       gazebo(model, scene.sources.text(model.robot->document.source)) {
+  if (scene.contacts.choice != SelfCollision::as_usual) gazebo.leave_out_own_contacts();
   name_contacts();
   const std::set<std::string_view> known = passes::names_in_extensions(model, "sensor");
   for (const Sensor& sensor : model.annotations.sensors) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/sdf/sdf_names.hpp"
 
+#include <algorithm>
+#include <set>
+
 #include "base/files/path.hpp"
 #include "base/text/unique_names.hpp"
 #include "write/parts/scene_parts.hpp"
@@ -26,19 +29,79 @@ std::string without_separators(std::string_view name) {
   return plain;
 }
 
+/// Finds the links that nested models can have.
+class NestedNames {
+ public:
+  explicit NestedNames(const LinkedModel& model) {
+    for (const urdf::Link& link : model.robot->links) {
+      if (link.name) taken_.insert(*link.name);
+    }
+    for (const urdf::Joint& joint : model.robot->joints) {
+      if (joint.name) taken_.insert(*joint.name);
+    }
+  }
+
+  bool has(std::string_view name) const {
+    if (sdf_scope(name).empty()) return false;
+    std::size_t begin = 0;
+    for (std::size_t depth = 0; begin <= name.size(); ++depth) {
+      const std::size_t end = std::min(name.find("::", begin), name.size());
+      const std::string_view part = name.substr(begin, end - begin);
+      const bool is_model = end < name.size();
+      if (part.empty() || part.front() == ':' || is_reserved(part)) return false;
+      if (depth > kMostModels) return false;
+      if (is_model && taken_.contains(name.substr(0, end))) return false;
+      begin = end + 2;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr std::size_t kMostModels = 32;  // around a link
+
+  std::set<std::string_view> taken_;  ///< names that are no models
+};
+
 }  // namespace
+
+std::string_view sdf_scope(std::string_view name) {
+  const std::size_t end = name.rfind("::");
+  return end == std::string_view::npos ? std::string_view() : name.substr(0, end);
+}
+
+std::string_view sdf_joint_scope(std::string_view joint, std::string_view parent,
+                                 std::string_view child) {
+  const std::string_view scope = sdf_scope(joint);
+  const auto is_inside = [&](std::string_view link) {
+    return link.starts_with(scope) && link.substr(scope.size()).starts_with("::");
+  };
+  return is_inside(parent) && is_inside(child) ? scope : std::string_view();
+}
+
+std::string_view sdf_local(std::string_view name, std::string_view scope) {
+  return scope.empty() ? name : name.substr(scope.size() + 2);
+}
 
 std::string sdf_name(std::string_view name) {
   return is_reserved(name) ? std::string(name) + "_0" : without_separators(name);
 }
 
-std::vector<std::string> sdf_names(const LinkedModel& model) {
+std::vector<std::string> sdf_names(const LinkedModel& model,
+                                   const std::vector<std::size_t>* bodies) {
+  const NestedNames nested(model);
+  // A frame is in the model of the body that it is attached to.
+  const auto is_nested = [&](std::size_t link) {
+    if (bodies == nullptr || (*bodies)[link] >= bodies->size()) return false;
+    const std::string& name = link_name(model, link);
+    const std::string& body = link_name(model, (*bodies)[link]);
+    return nested.has(name) && nested.has(body) && sdf_scope(name) == sdf_scope(body);
+  };
   std::vector<std::string> names;
   std::vector<std::size_t> changed;
   UniqueNames unique;
   for (std::size_t link = 0; link < model.robot->links.size(); ++link) {
     const std::string& name = names.emplace_back(link_name(model, link));
-    if (is_reserved(name) || name.find("::") != std::string::npos) {
+    if (is_reserved(name) || (name.find("::") != std::string::npos && !is_nested(link))) {
       changed.push_back(link);
     } else {
       unique.take(name);

@@ -15,8 +15,17 @@ namespace smurf {
 /// file for one of them.
 std::string sdf_name(std::string_view name);
 
-/// The names of the links of a model.
-std::vector<std::string> sdf_names(const LinkedModel& model);
+/// The names of the links of a model. With `bodies`, of links by link, those of nested models are
+/// kept: `arm::hand` is the link `hand` of the model `arm`, if nothing else is called `arm`.
+std::vector<std::string> sdf_names(const LinkedModel& model,
+                                   const std::vector<std::size_t>* bodies = nullptr);
+/// The models around a name: "arm::left" of "arm::left::hand"; "" if there is none.
+std::string_view sdf_scope(std::string_view name);
+/// The nested model that a joint between two links is in; "": the model.
+std::string_view sdf_joint_scope(std::string_view joint, std::string_view parent,
+                                 std::string_view child);
+/// A name as it is said in a scope around it.
+std::string_view sdf_local(std::string_view name, std::string_view scope);
 /// By instance: the names of models in the world, without reserved ones.
 std::vector<std::string> sdf_names(const FlatScene& scene);
 

@@ -186,11 +186,12 @@ std::vector<std::string> UsdPhysics::schemas_of_robot(std::size_t instance) {
 
 void UsdPhysics::add_articulation(std::size_t instance) {
   if (!is_articulation(instance)) return;
-  // The convex hulls of neighbours overlap. NVIDIA's importer of URDFs writes the same. Robots that
-  // are fixed to each other do collide; add_own_collisions() leaves out what is within one.
-  const bool has_several = robots_with_joints(instance) > 1;
+  // Without a choice, nothing in a robot touches: the convex hulls of neighbours overlap. NVIDIA's
+  // importer of URDFs writes the same. Robots that are fixed to each other do collide;
+  // add_own_collisions() leaves out what is within one.
+  const bool can_touch = has_own_contacts() || robots_with_joints(instance) > 1;
   text_.line(std::string("bool physxArticulation:enabledSelfCollisions = ") +
-             (has_several ? "1" : "0"));
+             (can_touch ? "1" : "0"));
 }
 
 /// A group that does not collide with itself.
@@ -247,6 +248,10 @@ void UsdPhysics::open_joint(std::string_view type, const std::string& name,
   text_.open(type, name, schemas);
   if (!ends.body0.empty()) text_.line(rel("physics:body0", ends.body0));
   text_.line(rel("physics:body1", ends.body1));
+  // What is fixed to each other cannot move apart.
+  if (scene_.contacts.choice == SelfCollision::all && type != "PhysicsFixedJoint") {
+    text_.line("bool physics:collisionEnabled = 1");
+  }
   text_.line("point3f physics:localPos0 = " + UsdaText::tuple(ends.X_0J.position));
   text_.line("quatf physics:localRot0 = " + UsdaText::tuple(ends.X_0J.orientation));
   text_.line("point3f physics:localPos1 = " + UsdaText::tuple(ends.X_1J.position));
@@ -284,7 +289,8 @@ void UsdPhysics::add_joints(std::size_t instance, LinkFrames& frames) {
   text_.open("Scope", model.layout.joints);
   add_anchor(instance, frames, model.anchor);
   for (const Joint& joint : model.joints) add_joint(instance, joint);
-  if (robots_with_joints(instance) > 1 && !model.joints.empty()) add_own_collisions(instance);
+  const bool has_several = robots_with_joints(instance) > 1 && !model.joints.empty();
+  if (has_several && !has_own_contacts()) add_own_collisions(instance);
   text_.close();
 }
 

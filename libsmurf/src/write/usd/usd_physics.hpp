@@ -36,6 +36,11 @@ class UsdPhysics {
   /// Writes the mass of a link, or of an instance without a robot.
   void add_mass(std::size_t instance, std::size_t link);
   void add_mass(std::size_t instance);
+  /// Whether links of one robot can touch each other.
+  bool has_own_contacts() const {
+    return scene_.contacts.choice != SelfCollision::as_usual &&
+           scene_.contacts.choice != SelfCollision::none;
+  }
   /// Writes a scope with the joints between the bodies of an instance and the joint of its anchor.
   void add_joints(std::size_t instance, LinkFrames& frames);
 
