@@ -16,6 +16,7 @@
 #include "base/findings/cases.hpp"
 #include "base/findings/limits.hpp"
 #include "base/findings/rules.hpp"
+#include "base/text/lists.hpp"
 #include "check/given_arguments.hpp"
 #include "check/in_time.hpp"
 #include "check/load_planned.hpp"
@@ -324,14 +325,14 @@ class Run {
   /// Says for which targets not the file itself was judged.
   void note_made_urdfs(const std::set<const Circumstance*>& languages) {
     for (const Circumstance* language : languages) {
-      std::string names;
+      std::vector<std::string> others;
       for (const Reader* target : targets_) {
-        if (reads_itself(*target, *language)) continue;
-        names += (names.empty() ? "" : ", ") + std::string(target->name);
+        if (!reads_itself(*target, *language)) others.emplace_back(target->name);
       }
-      if (names.empty()) continue;
+      if (others.empty()) continue;
       const std::string name = language == &cases::kOfMjcf ? "MJCF" : "SDF";
-      assumptions_.insert("URDFs that smurf2urdf makes of " + name + " files, for " + names);
+      assumptions_.insert("URDFs that smurf2urdf makes of " + name + " files, for " +
+                          enumerated(others));
     }
   }
 

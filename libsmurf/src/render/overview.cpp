@@ -318,7 +318,7 @@ class Overview {
     const std::size_t others = spread.files.size() - 1;
     if (others > names.size()) names.push_back(std::to_string(others - names.size()) + " more");
     return render::wrap("... and the same in " + counted(others, "more file") + ": " +
-                            render::enumerate(names) + "; --all shows them",
+                            enumerated(names) + "; --all shows them",
                         0, render::kColumns);
   }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/text/counted.hpp"
+#include "base/text/lists.hpp"
 #include "render/paint.hpp"
 #include "render/printable.hpp"
 #include "render/wrap.hpp"
@@ -122,7 +123,7 @@ std::string render_fleet(std::span<const RobotAnswers> robots) {
             : text.empty()
                 ? std::to_string(robots.size()) + " robots: " + std::to_string(count) + " "
                 : ", " + std::to_string(count) + " ";
-    text += std::string(count == 1 ? one : many) + " (" + render::enumerate(names) + ")";
+    text += std::string(count == 1 ? one : many) + " (" + enumerated(names) + ")";
   };
   const auto worst_of = [](const RobotAnswers& robot) {
     return robot.worst.value_or(Severity::info);
