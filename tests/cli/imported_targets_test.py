@@ -43,7 +43,7 @@ class TargetTest(unittest.TestCase):
         verdicts, levels = self.check("crate.xml", MJCF, "--target", "mujoco,gazebo,ros")
         self.assertEqual(verdicts.pop("mujoco"), "takes")
         verdicts.pop("ros")
-        self.assertEqual(self.assumptions, ["URDFs that smurf2urdf makes of MJCF files, for gazebo, ros"])
+        self.assertEqual(self.assumptions, ["URDFs that smurf2urdf makes of MJCF files, for gazebo and ros"])
         self.assertEqual(verdicts, {"gazebo": "refuses"})
         self.assertEqual(levels["SML1303"], "error")
 

@@ -166,9 +166,9 @@ std::optional<xml::Document> Conversion::load_srdf(const std::string& path, Load
     const std::deque<Diagnostic>& found = beside.found.diagnostics();
     const bool is_told = !found.empty() && beside.sources->path(found.back().span.source) == path;
     complain(tool_, "'" + path + "' is not well-formed XML" +
-                        (is_told ? ": line " + std::to_string(beside.sources->line_of(
-                                                   found.back().span.source,
-                                                   found.back().span.begin)) +
+                        (is_told ? ": line " +
+                                       std::to_string(beside.sources->line_of(
+                                           found.back().span.source, found.back().span.begin)) +
                                        ": " + found.back().message
                                  : ""));
     return std::nullopt;
