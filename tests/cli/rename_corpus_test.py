@@ -18,7 +18,7 @@ import xml.etree.ElementTree
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
 import cases  # noqa: E402
 
-BY_NAMES = ("SML1303", "SML1528", "SML1529", "SML1530")
+BY_NAMES = ("SML1303", "SML1528", "SML1529", "SML1530", "SML1535")
 SUFFIX = "_renamed"
 SINGLE_ONES = 500
 
