@@ -192,6 +192,11 @@ class Output(FlattenTest):
         self.write("box.obj", "v 0 0 0\n")
         self.expect_complaint("'box.obj' is not a model; name the .smurf or .urdf file that uses it", "box.obj")
 
+    def test_directives_beside_the_robot_are_written_again(self):
+        for _ in range(2):
+            done = self.run_tool("models/box.urdf", "--format", "dmd", "-o", "models/box.dmd.yaml")
+            self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_an_srdf_that_cannot_be_read_stops_it(self):
         def complain(reason):
             self.expect_complaint(reason, "models/box.urdf", "--format", "mjcf", "--srdf", "box.srdf")
@@ -202,7 +207,8 @@ class Output(FlattenTest):
         self.write("box.srdf", "<sdf/>")
         complain("'box.srdf' is no SRDF: its root element is 'sdf', not 'robot'")
         self.write("box.srdf", '<robot name="box"/>')
-        self.run_tool("models/box.urdf", "--format", "mjcf", "--srdf", "box.srdf", "-o", "box.xml")
+        told = self.run_tool("models/box.urdf", "--format", "mjcf", "--srdf", "box.srdf", "-o", "box.xml").stderr
+        self.assertIn("`box.srdf` disables no pair of links of `models/box.urdf`", told)
 
     def test_what_a_robot_loses_refuses_the_scene(self):
         """An unreadable value, a robot without a tree, or a named pose makes the result wrong; a motor does not."""

@@ -183,6 +183,10 @@ class ContactFinder {
       disabled.file = model.urdf_path;
     }
     pairs = std::move(disabled.pairs);
+    if (pairs.empty() && !request_.srdf.empty()) {
+      losses_.report(rules::sml8212_chosen_value, place_of(model),
+                     quoted(request_.srdf) + " disables no pair of links of " + quoted(model.path));
+    }
     if (pairs.empty() || !request_.format.has_link_pairs) return;
     if (names_models()) {
       losses_.report(rules::sml8211_lost_part, place_of(model),

@@ -241,8 +241,10 @@ const CompanionSpec& spec_of(CompanionKind kind) {
 }
 
 bool may_be_parameters(std::string_view path) {
-  const std::string extension = path::to_lower(path::extension(path));
-  return extension == ".yaml" || extension == ".yml" || is_setup(path);
+  const std::string name = path::to_lower(path);
+  if (name.ends_with(".dmd.yaml"))
+    return false;  // directives of Drake, which smurfs-flatten writes
+  return name.ends_with(".yaml") || name.ends_with(".yml") || is_setup(path);
 }
 
 bool is_template(std::string_view text) {

@@ -117,8 +117,7 @@ NamesInFolder names_of(std::vector<std::string> all) {
     const auto ends = [&](std::string_view ending) { return lower.ends_with(ending); };
     if (ends(".urdf")) found.urdfs.push_back(name);
     if (ends(".xacro")) found.xacros.push_back(name);
-    if (ends(".srdf") || ends(".yaml") || ends(".yml") || is_companion_path(name) ||
-        may_be_parameters(name)) {
+    if (ends(".srdf") || is_companion_path(name) || may_be_parameters(name)) {
       found.companions.push_back(std::move(name));
     }
   }
