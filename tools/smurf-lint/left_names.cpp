@@ -380,10 +380,7 @@ class Search {
   /// One for all files that nobody renames.
   static std::string sentence_of(const std::string& name, const std::vector<std::string>& places) {
     return quoted(name) + " is still named in " +
-           (places.size() <= kMostPlaces
-                ? enumerated(places)
-                : shortlist(places, kMostPlaces, "more file", "more files")) +
-           "; change it there";
+           enumerated_to(kMostPlaces, places, "more file", "more files") + "; change it there";
   }
 
   static void add(std::vector<std::string>& to, std::string sentence) {

@@ -7,7 +7,6 @@
 #include "base/text/quoted.hpp"
 #include "check/excuses.hpp"
 #include "check/given_arguments.hpp"
-#include "check/xacro_places.hpp"
 #include "link/imported_world.hpp"
 #include "link/surroundings/load_surroundings.hpp"
 #include "link/unused_meshes.hpp"
@@ -64,9 +63,7 @@ void PlannedLoader::load(const PlannedFile& planned, const FileReader& files, Me
     load_one_robot(planned, context, outcome);
   }
   for (const auto& [source, expansion] : *context.expansions) {
-    if (const Circumstance* mark = mark_of(expansion.language)) {
-      outcome.notes.languages.insert(mark);
-    }
+    outcome.notes.languages.insert(expansion.language);
   }
   if (!planned.is_named) calm_losses(outcome.judged.diagnostics);
   if (!settings.xacro.arguments.empty() || !group.config.xacro.empty()) {

@@ -13,7 +13,6 @@
 
 #include "base/files/canonical_paths.hpp"
 #include "base/files/path.hpp"
-#include "base/findings/cases.hpp"
 #include "base/findings/limits.hpp"
 #include "base/findings/rules.hpp"
 #include "base/text/lists.hpp"
@@ -25,6 +24,7 @@
 #include "check/seen_companions.hpp"
 #include "check/told_findings.hpp"
 #include "check/with_variants.hpp"
+#include "check/xacro_places.hpp"
 #include "check/xacro_share.hpp"
 #include "verdict/targets.hpp"
 
@@ -323,14 +323,16 @@ class Run {
   }
 
   /// Says for which targets not the file itself was judged.
-  void note_made_urdfs(const std::set<const Circumstance*>& languages) {
-    for (const Circumstance* language : languages) {
+  void note_made_urdfs(const std::set<Language>& languages) {
+    for (const Language language : languages) {
+      const Circumstance* mark = mark_of(language);
+      if (mark == nullptr) continue;
       std::vector<std::string> others;
       for (const Reader* target : targets_) {
-        if (!reads_itself(*target, *language)) others.emplace_back(target->name);
+        if (!reads_itself(*target, *mark)) others.emplace_back(target->name);
       }
       if (others.empty()) continue;
-      const std::string name = language == &cases::kOfMjcf ? "MJCF" : "SDF";
+      const std::string name = language == Language::mjcf ? "MJCF" : "SDF";
       assumptions_.insert("URDFs that smurf2urdf makes of " + name + " files, for " +
                           enumerated(others));
     }

@@ -20,7 +20,7 @@
 #include "check/shared_companions.hpp"
 #include "check/snapshot.hpp"
 #include "link/parsed_files.hpp"
-#include "smurf/diagnostic.hpp"
+#include "smurf/source.hpp"
 
 namespace smurf {
 
@@ -30,7 +30,7 @@ struct OutcomeNotes {
   std::map<std::string, RejectedCompanion> rejected;  ///< by identity
   std::string unknown_robot;                          ///< its path, if it could not be expanded
   std::string assumption;                             ///< see Summary::assumptions
-  std::set<const Circumstance*> languages;            ///< of imports: cases::kOfMjcf, kOfSdf
+  std::set<Language> languages;                       ///< of robots that were expanded
   std::set<std::string> arguments;                    ///< of xacro
   std::optional<RobotSize> size;                      ///< of the robot
 };

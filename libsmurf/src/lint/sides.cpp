@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 namespace smurf {
@@ -159,6 +160,19 @@ bool has_chain(const LinkedModel& model, std::span<const std::size_t> links) {
     }
   }
   return false;
+}
+
+bool are_near(double a, double b, double tolerance) {
+  constexpr double kSmall = 1e-3;
+  return std::fabs(a - b) <= kSmall + tolerance * std::max(std::fabs(a), std::fabs(b));
+}
+
+bool have_same_bounds(const urdf::Limit& a, const urdf::Limit& b, double tolerance) {
+  return are_near(*a.lower, *b.lower, tolerance) && are_near(*a.upper, *b.upper, tolerance);
+}
+
+bool have_turned_bounds(const urdf::Limit& a, const urdf::Limit& b, double tolerance) {
+  return are_near(*a.lower, -*b.upper, tolerance) && are_near(*a.upper, -*b.lower, tolerance);
 }
 
 }  // namespace smurf

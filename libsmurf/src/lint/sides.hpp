@@ -29,4 +29,11 @@ std::vector<std::vector<std::size_t>> siblings_of(const std::vector<std::string_
 /// siblings: `link_l` and `link_r` of an arm are its lower part and a rotation.
 bool has_chain(const LinkedModel& model, std::span<const std::size_t> links);
 
+/// Whether two values of sides are equal but for rounding and a fraction. rad or m.
+bool are_near(double a, double b, double tolerance);
+/// Whether two joints have the same bounds, which must be set.
+bool have_same_bounds(const urdf::Limit& a, const urdf::Limit& b, double tolerance);
+/// Whether they have them with the opposite sign, which an axis in the opposite sense needs.
+bool have_turned_bounds(const urdf::Limit& a, const urdf::Limit& b, double tolerance);
+
 }  // namespace smurf

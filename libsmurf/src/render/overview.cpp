@@ -41,11 +41,25 @@ bool is_often_the_answer(const Rule& rule) {
                      [&](std::string_view family) { return rule.id.starts_with(family); });
 }
 
+/// The files with findings of a kind.
+struct Spread {
+  std::vector<std::string_view> files;  ///< each once, in the order of the report
+  std::string_view told_in{};           ///< the file with the block; "": none yet
+};
+
+/// Findings of a section that differ in names and numbers only: the first is shown, the others are
+/// named.
+struct Kind {
+  std::vector<const Diagnostic*> findings;
+  Spread* spread = nullptr;  ///< null if all findings are shown
+};
+
 /// The findings of one severity in one file.
 struct Section {
   Severity severity;
   SourceId file;
   std::vector<const Diagnostic*> findings;
+  std::vector<Kind> kinds = {};
 };
 
 class Overview {
@@ -76,10 +90,10 @@ class Overview {
       if (!options.shows_all && diagnostics.size() > kScreen) put_worst_first(sections);
       std::move(sections.begin(), sections.end(), std::back_inserter(sections_));
     });
-    if (!options.shows_all) {
-      for (const Section& section : sections_) {
-        for (const Kind& kind : kinds_of(section)) spread(kind);
-      }
+    for (Section& section : sections_) {
+      section.kinds = kinds_of(section);
+      if (options.shows_all) continue;
+      for (Kind& kind : section.kinds) spread(kind);
     }
     has_titles_ = std::any_of(sections_.begin(), sections_.end(), [&](const Section& section) {
       return path_of(section.file) != path_of(sections_.front().file);
@@ -129,23 +143,14 @@ class Overview {
     return robots_at_.at(place_of(one)).front() != one.span.source;
   }
 
-  /// Findings of a section that differ in names and numbers only: the first is shown, the others
-  /// are named.
-  struct Kind {
-    std::vector<const Diagnostic*> findings;
-  };
   /// What findings of a kind have in common, in all files.
   using Text = std::tuple<const Rule*, Severity, std::string, std::string_view>;
-  struct Spread {
-    std::vector<std::string_view> files;  ///< each once, in the order of the report
-    std::string_view told_in{};           ///< the file with the block; "": none yet
-  };
-
   static Text text_of(const Diagnostic& one) {
     return {one.rule, one.severity, without_numbers(without_names(one.message)), remedy_of(one)};
   }
-  void spread(const Kind& kind) {
-    std::vector<std::string_view>& files = spread_[text_of(*kind.findings.front())].files;
+  void spread(Kind& kind) {
+    kind.spread = &spread_[text_of(*kind.findings.front())];
+    std::vector<std::string_view>& files = kind.spread->files;
     const auto add = [&](std::string_view file) {
       if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
     };
@@ -156,10 +161,9 @@ class Overview {
   }
   /// One block for all files, if there are so many that the report would repeat itself.
   bool is_told(const Kind& kind) const {
-    const Diagnostic& one = *kind.findings.front();
-    const Spread& spread = spread_.at(text_of(one));
-    return spread.files.size() >= kFewest && !spread.told_in.empty() &&
-           spread.told_in != path_of(one.span.source);
+    return kind.spread != nullptr && kind.spread->files.size() >= kFewest &&
+           !kind.spread->told_in.empty() &&
+           kind.spread->told_in != path_of(kind.findings.front()->span.source);
   }
 
   /// The number of findings and of kinds of a rule in a section.
@@ -240,8 +244,8 @@ class Overview {
   }
 
   void add(const Section& section) {
-    std::vector<Kind> kinds = kinds_of(section);
-    if (!options_.shows_all) std::erase_if(kinds, [&](const Kind& kind) { return is_told(kind); });
+    std::vector<Kind> kinds = section.kinds;
+    std::erase_if(kinds, [&](const Kind& kind) { return is_told(kind); });
     std::map<std::string_view, Tally> of_rule;
     for (const Kind& kind : kinds) {
       Tally& tally = of_rule[kind.findings.front()->rule->id];
@@ -265,7 +269,7 @@ class Overview {
       ++tally.shown;
       tally.told += kind.findings.size();
       write(render_full(one, sources_, style_));
-      const std::string same = same_here(kind) + same_elsewhere(one);
+      const std::string same = same_here(kind) + same_elsewhere(kind);
       if (!same.empty()) write(same + "\n");
     }
     write(cut(of_rule));
@@ -310,22 +314,21 @@ class Overview {
   static std::string same_in_files(Spread& spread, std::string_view here) {
     if (!spread.told_in.empty()) return {};
     spread.told_in = here;
-    std::vector<std::string> names;
+    std::vector<std::string> others;
     for (const std::string_view file : spread.files) {
-      if (names.size() == kFewest) break;
-      if (file != here) names.push_back(render::escape(file));
+      if (file != here) others.push_back(render::escape(file));
     }
-    const std::size_t others = spread.files.size() - 1;
-    if (others > names.size()) names.push_back(std::to_string(others - names.size()) + " more");
-    return render::wrap("... and the same in " + counted(others, "more file") + ": " +
-                            enumerated(names) + "; --all shows them",
+    return render::wrap("... and the same in " + counted(others.size(), "more file") + ": " +
+                            enumerated_to(kFewest, others) + "; --all shows them",
                         0, render::kColumns);
   }
 
-  std::string same_elsewhere(const Diagnostic& one) {
-    if (options_.shows_all) return {};
-    Spread& spread = spread_.at(text_of(one));
-    if (spread.files.size() >= kFewest) return same_in_files(spread, path_of(one.span.source));
+  std::string same_elsewhere(const Kind& kind) {
+    if (kind.spread == nullptr) return {};
+    const Diagnostic& one = *kind.findings.front();
+    if (kind.spread->files.size() >= kFewest) {
+      return same_in_files(*kind.spread, path_of(one.span.source));
+    }
     Repeated& repeated = repeated_[{one.rule, one.message}];
     if (repeated.files.size() > 1) {
       if (std::exchange(repeated.is_told, true)) return {};
@@ -358,9 +361,8 @@ class Overview {
     std::vector<std::vector<const Section*>> files;
     std::map<std::string_view, std::size_t> index;
     for (const Section& section : rest) {
-      const std::vector<Kind> kinds = kinds_of(section);
-      if (std::all_of(kinds.begin(), kinds.end(), [&](const Kind& one) { return is_told(one); }))
-        continue;
+      const auto told = [&](const Kind& one) { return is_told(one); };
+      if (std::all_of(section.kinds.begin(), section.kinds.end(), told)) continue;
       const auto [place, is_new] = index.try_emplace(path_of(section.file), files.size());
       if (is_new) files.emplace_back();
       files[place->second].push_back(&section);

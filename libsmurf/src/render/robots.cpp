@@ -113,17 +113,13 @@ std::string render_fleet(std::span<const RobotAnswers> robots) {
     const std::size_t count = names.size();
     if (count == 0) return;
     std::sort(names.begin(), names.end());
-    if (count > kMostNamed) {
-      names.resize(kMostNamed);
-      names.push_back(std::to_string(count - kMostNamed) + " more");
-    }
     const bool are_all = count == robots.size();
     are_all_fine = are_all && text.empty() && many == "are fine";
     text += are_all ? "all " + std::to_string(count) + " robots "
             : text.empty()
                 ? std::to_string(robots.size()) + " robots: " + std::to_string(count) + " "
                 : ", " + std::to_string(count) + " ";
-    text += std::string(count == 1 ? one : many) + " (" + enumerated(names) + ")";
+    text += std::string(count == 1 ? one : many) + " (" + enumerated_to(kMostNamed, names) + ")";
   };
   const auto worst_of = [](const RobotAnswers& robot) {
     return robot.worst.value_or(Severity::info);

@@ -226,12 +226,10 @@ std::string not_compared(const Summary& summary) {
   }
   std::string text;
   for (std::size_t i = 0; i < groups.size() && i < kMostReasons; ++i) {
-    auto& [first, files] = groups[i];
-    const std::size_t more = files.size() - std::min(files.size(), kMostShown);
-    if (more > 0) files.resize(kMostShown);
-    if (more > 0) files.push_back(std::to_string(more) + " more");
-    text += (summary.is_strict ? "error: not compared: " : "not compared: ") + enumerated(files) +
-            ": " + render::escape(first->reason) + "; " + render::escape(first->next) + "\n";
+    const auto& [first, files] = groups[i];
+    text += (summary.is_strict ? "error: not compared: " : "not compared: ") +
+            enumerated_to(kMostShown, files) + ": " + render::escape(first->reason) + "; " +
+            render::escape(first->next) + "\n";
   }
   if (groups.size() > kMostReasons) {
     text += "not compared: files with " + counted(groups.size() - kMostReasons, "more reason") +

@@ -8,7 +8,7 @@
 
 namespace smurf::render {
 
-/// The width of sentences in reports, on terminals of any width.
+/// Sentences in reports are wrapped at this column, whatever the width of the terminal.
 inline constexpr std::size_t kColumns = 80;
 
 /// Breaks the text at spaces into lines of at most `columns`, each indented by `indent` spaces; a

@@ -139,7 +139,8 @@ void ExtensionWriter::open(const Link& link, bool& is_open) {
   is_open = true;
 }
 
-/// `<gazebo>` has one element for all visuals of a link, and one for all collisions.
+/// A `<gazebo>` has one `<visual>` for all visuals of a link, and one `<collision>` for all its
+/// collisions.
 void ExtensionWriter::shapes(const Link& link, std::string_view kind, bool& is_open) {
   std::vector<std::vector<View>> all;  // the settings of each shape
   View first;

@@ -149,7 +149,7 @@ class DirectivesWriter {
     add_pose(X_PC, "      ");
   }
 
-  /// Drake looks for a model of the name before the last `::`.
+  /// For Drake, what stands before the last `::` of a name is the name of a model.
   static bool is_nameable(std::string_view link) {
     return link.find("::") == std::string_view::npos;
   }

@@ -21,7 +21,7 @@ std::vector<std::string> all_quoted(const Names& names) {
   return all;
 }
 
-/// "a, b, c".
+/// Joined by commas: "a, b, c".
 template <class Words>
 std::string listed(const Words& words) {
   std::string text;
@@ -55,7 +55,14 @@ std::string shortlist(const Words& words, std::size_t most, std::string_view one
   return text;
 }
 
-/// The names that a reader may choose from: "`base`, `arm` or `hand`", and of more than eight
+/// "a, b and c"; of more than `most`, "a, b and 3 more".
+template <class Words>
+std::string enumerated_to(std::size_t most, const Words& words, std::string_view one = "more",
+                          std::string_view several = "more") {
+  return words.size() <= most ? enumerated(words) : shortlist(words, most, one, several);
+}
+
+/// The names that a user may choose from: "`base`, `arm` or `hand`", and of more than eight
 /// "`a`, `b`, ... or one of 12 more".
 inline std::string choices(std::span<const std::string_view> names) {
   constexpr std::size_t kMost = 8;

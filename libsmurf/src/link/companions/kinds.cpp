@@ -242,8 +242,8 @@ const CompanionSpec& spec_of(CompanionKind kind) {
 
 bool may_be_parameters(std::string_view path) {
   const std::string name = path::to_lower(path);
-  if (name.ends_with(".dmd.yaml"))
-    return false;  // directives of Drake, which smurfs-flatten writes
+  // Directives of Drake, which smurfs-flatten writes: an input must not be written over.
+  if (name.ends_with(".dmd.yaml")) return false;
   return name.ends_with(".yaml") || name.ends_with(".yml") || is_setup(path);
 }
 

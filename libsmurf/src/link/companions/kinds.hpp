@@ -33,7 +33,7 @@ bool is_broken_yaml(std::string_view text, const std::optional<yaml::Document>& 
                     const DiagnosticSink& found);
 /// Reports a finding of parsing a text in another sink, without its fixes.
 Diagnostic& report_of_yaml(const Diagnostic& finding, DiagnosticSink& sink);
-/// The same for a text that is broken, with what it means to ROS.
+/// Reports a finding that makes the text unreadable, and says what this means to ROS.
 void report_broken_yaml(const Diagnostic& finding, DiagnosticSink& sink);
 /// Parses the text and looks at its keys, whatever the file is called. A text that is not YAML is
 /// recognised by the keys at the beginnings of its lines.

@@ -10,19 +10,8 @@
 namespace smurf::rules::sml1529_sides_differ_in_joint_file {
 namespace {
 
-bool is_near(double a, double b, double tolerance) {
-  constexpr double kSmall = 1e-3;  // rad or m
-  return std::fabs(a - b) <= kSmall + tolerance * std::max(std::fabs(a), std::fabs(b));
-}
-
 std::string bounds_of(const urdf::Limit& limit) {
   return format_rounded(*limit.lower, 4) + " to " + format_rounded(*limit.upper, 4);
-}
-
-/// Equal, or equal with the opposite sign, which a mirrored axis needs.
-bool have_same_bounds(const urdf::Limit& a, const urdf::Limit& b, double tolerance) {
-  return (is_near(*a.lower, *b.lower, tolerance) && is_near(*a.upper, *b.upper, tolerance)) ||
-         (is_near(*a.lower, -*b.upper, tolerance) && is_near(*a.upper, -*b.lower, tolerance));
 }
 
 /// Values of both sides that differ, in words, and the places of the first.
@@ -32,7 +21,7 @@ struct Differences {
 
   void add(const Field<double>& a, const Field<double>& b, std::string_view what,
            double tolerance) {
-    if (!a || !b || is_near(*a, *b, tolerance)) return;
+    if (!a || !b || are_near(*a, *b, tolerance)) return;
     if (words.empty()) {
       place = b.span;
       other = a.span;
@@ -55,7 +44,8 @@ void report(const urdf::Joint& left, const urdf::Joint& right, Findings& finding
   const urdf::Limit& a = *left.limit;
   const urdf::Limit& b = *right.limit;
   const bool has_bounds = a.lower && a.upper && b.lower && b.upper;
-  if (has_bounds && !have_same_bounds(a, b, findings.tolerance())) {
+  const double tolerance = findings.tolerance();
+  if (has_bounds && !have_same_bounds(a, b, tolerance) && !have_turned_bounds(a, b, tolerance)) {
     findings
         .report(b.lower.span, title(left) + " moves from " + bounds_of(a) + ", but " +
                                   title(right) + " from " + bounds_of(b))

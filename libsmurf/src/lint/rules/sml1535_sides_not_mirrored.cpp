@@ -9,6 +9,7 @@
 
 #include "base/numbers/exact_math.hpp"
 #include "base/numbers/numbers.hpp"
+#include "base/numbers/vectors.hpp"
 #include "base/text/counted.hpp"
 #include "link/inertia.hpp"
 #include "link/link_overlaps.hpp"
@@ -25,14 +26,8 @@ namespace {
 constexpr double kClose = 2e-3;  // m
 constexpr std::size_t kFewest = 3;
 
-double distance(const Vector3& a, const Vector3& b) {
-  return hypotenuse(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
 double length(const Vector3& a) { return hypotenuse(a[0], a[1], a[2]); }
-double dot(const Vector3& a, const Vector3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector3 minus(const Vector3& a, const Vector3& b) {
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
+double distance(const Vector3& a, const Vector3& b) { return length(difference(a, b)); }
 double degrees_of(double cosine) {
   constexpr double kDegree = 0.017453292519943295;  // rad
   return arc_tangent(std::sqrt(std::max(0.0, 1 - cosine * cosine)), cosine) / kDegree;
@@ -145,9 +140,10 @@ class Comparison {
     const Vector3& at = poses_[pair.left]->position;
     const Vector3& other_at = poses_[pair.right]->position;
     // Beside one parent, both are at their places; otherwise, at the same way from their parents.
-    const double off = left == right ? distance(plane.mirrored_point(at), other_at)
-                                     : distance(plane.mirrored(minus(at, poses_[left]->position)),
-                                                minus(other_at, poses_[right]->position));
+    const double off = left == right
+                           ? distance(plane.mirrored_point(at), other_at)
+                           : distance(plane.mirrored(difference(at, poses_[left]->position)),
+                                      difference(other_at, poses_[right]->position));
     const double way =
         left == right ? std::fabs(at[plane.axis] - plane.at) : distance(at, poses_[left]->position);
     if (off > kClose + tolerance_ * way) {
@@ -193,12 +189,8 @@ class Comparison {
     const urdf::Limit& a = *one.limit;
     const urdf::Limit& b = *other.limit;
     if (!a.lower || !a.upper || !b.lower || !b.upper) return;
-    const auto is_near = [&](double value, double wanted) {
-      return std::fabs(value - wanted) <=
-             1e-3 + tolerance_ * std::max(std::fabs(value), std::fabs(wanted));
-    };
-    const bool are_same = is_near(*b.lower, *a.lower) && is_near(*b.upper, *a.upper);
-    const bool are_turned = is_near(*b.lower, -*a.upper) && is_near(*b.upper, -*a.lower);
+    const bool are_same = have_same_bounds(a, b, tolerance_);
+    const bool are_turned = have_turned_bounds(a, b, tolerance_);
     if (is_same_sense ? are_same : are_turned) return;
     if (!are_same && !are_turned) return;
     const double lower = is_same_sense ? *a.lower : -*a.upper;
@@ -209,10 +201,10 @@ class Comparison {
               b.lower.span, a.lower.span);
   }
 
-  /// The same part is on both sides.
+  /// Whether the part of one side is also on the other one, and not its mirror image.
   static bool are_same(const urdf::Inertial& one, const urdf::Inertial& other) {
     const Vector3 off =
-        minus(urdf::to_pose(one.origin).position, urdf::to_pose(other.origin).position);
+        difference(urdf::to_pose(one.origin).position, urdf::to_pose(other.origin).position);
     return length(off) < kClose / 10 && tensor_of(one) == tensor_of(other);
   }
 

@@ -40,7 +40,8 @@ inline constexpr std::size_t kMostReadingBytes = 4'000'000;
 
 /// Names are unique. Each ray of a scan, and each link of a contact sensor, becomes a separate
 /// sensor. Omits annotations with the name of a <sensor> in <gazebo>, and sensors whose readings
-/// exceed kMostReadingBytes. A torque of a joint is that of its motor among those with `options`.
+/// exceed kMostReadingBytes. A sensor of the torque of a joint measures its motor, which `options`
+/// may have added.
 std::vector<MujocoSensor> mujoco_sensors(const LinkedModel& model, const MotorOptions& options);
 
 /// The settings of a <sensor> in <gazebo> that MuJoCo does not have.
