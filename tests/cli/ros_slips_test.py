@@ -21,6 +21,19 @@ class SlipTest(lamp.Lamp):
         self.write("lamp_description/config/filter.yaml", text.replace("30.0", "{{ rate }}: a"))
         self.assertNotIn("SML0010", self.expect(0, ".").stdout)  # a template
 
+    def test_a_manifest_is_xml(self):
+        """Colcon stops at it; an empty one only marks a folder."""
+        manifest = (self.folder / "lamp_description/package.xml").read_text(encoding="utf-8")
+        self.assertNotIn("SML4401", self.run_tool(".").stdout)
+        self.write("lamp_description/package.xml", manifest.replace("</package>", ""))
+        done = self.expect(1, "--target", "ros,mujoco", ".").stdout
+        self.assertIn("error[SML4401]: package.xml is not well-formed: ", done)
+        self.assertIn("lamp_description/package.xml:", done)
+        self.assertEqual(done.count("SML4401]"), 1, done)
+        self.assertIn("mujoco  loads\n", done)
+        self.write("lamp_description/package.xml", "")
+        self.assertNotIn("SML4401", self.run_tool(".").stdout)
+
     def test_a_default_below_its_use(self):
         """The robot is checked with it, although xacro stops."""
         (self.folder / "lamp_description/urdf/lamp.urdf").unlink()

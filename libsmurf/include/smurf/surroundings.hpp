@@ -110,6 +110,7 @@ struct InstallFault {
     glob_empty,     ///< glob('x/*.y') matches nothing
     wrong_package,  ///< share/OTHER
     project_name,   ///< project() differs from the name in package.xml
+    no_xml,         ///< package.xml is not well-formed: what is wrong, and the help
   };
   Kind kind{};
   Span span;

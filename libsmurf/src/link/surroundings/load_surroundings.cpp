@@ -10,6 +10,7 @@
 #include "base/files/path.hpp"
 #include "base/text/suggest.hpp"
 #include "base/text/words.hpp"
+#include "imports/imports.hpp"
 #include "link/companions/kinds.hpp"
 #include "link/companions/places.hpp"
 #include "link/package_search.hpp"
@@ -74,7 +75,7 @@ class Loader {
     packages_by_name_[own.name] = own.folder;
     for (const NearPackage& one : places.packages)
       packages_by_name_.try_emplace(one.name, one.folder);
-    if (!add_package(own.name, own.folder)) return {};
+    if (!add_package(own.name, own.folder)) return std::move(found_);
     for (const NearPackage& one : places.packages) {
       if (found_.packages.size() >= kMostPackages) break;
       if (one.folder == own.folder) continue;
@@ -121,12 +122,21 @@ class Loader {
     if (!source) return false;
     DiagnosticSink ignored(context_.limits);
     const auto document = parse_xml(context_.sources, *source, context_.limits, ignored);
-    if (!document) return false;
-    const Manifest manifest = read_manifest(*document);
     SurroundingPackage package;
     package.name = name;
     package.folder = folder;
     package.manifest = *source;
+    if (!document) {
+      // Nothing else in the package can be judged. An empty package.xml only marks a folder.
+      const bool is_meant = imports::root_name(context_.sources.text(*source)) == "package";
+      if (!is_meant || ignored.diagnostics().empty()) return false;
+      const Diagnostic& fault = ignored.diagnostics().front();
+      package.faults.push_back(
+          {InstallFault::Kind::no_xml, fault.span, fault.message, fault.help_text});
+      found_.packages.push_back(std::move(package));
+      return false;
+    }
+    const Manifest manifest = read_manifest(*document);
     package.name_span = manifest.name_span;
     package.depend_span = manifest.depend_span;
     package.export_span =

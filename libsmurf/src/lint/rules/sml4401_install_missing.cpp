@@ -45,6 +45,13 @@ void check_fault(const SurroundingPackage& package, const InstallFault& one, Fin
                               ", but this package is " + quoted(one.other))
         .help("write `share/" + one.other + "/...`");
     return;
+  case InstallFault::Kind::no_xml: {
+    Diagnostic& found = findings.report(one.span, "package.xml is not well-formed: " + one.what);
+    found.severity = Severity::error;
+    found.when(kBuild).help(one.other);
+    found.note("launch files and what is installed are not checked");
+    return;
+  }
   case InstallFault::Kind::project_name: {
     Diagnostic& found =
         findings.report(one.span, "the project is " + quoted(one.what) +
