@@ -567,7 +567,8 @@ class Names(LspTest):
         self.assertEqual(self.places(sensors, at), 100_000)
         with self.assertRaisesRegex(client.RequestError, "has 330001 places, .* use `smurf-lint --rename`"):
             self.client.at("textDocument/rename", sensors, at, newName="b")
-        self.assertLess(self.peak(), 320)  # each of the places has the URI of its file
+        # Each of the places has the URI of its file. 297 MB, and 20 more where an answer grows beside another one.
+        self.assertLess(self.peak(), 400)
 
     def test_memory_of_many_symbols(self):
         """A megabyte of keys: trees for all of them need 340 MB."""
