@@ -19,7 +19,8 @@ YAML = {".yml", ".yaml", ".smurf", ".smurfs", ".smurfa"}
 
 def main() -> None:
     fixtures, out = map(pathlib.Path, sys.argv[1:3])
-    for target in ("differential_yaml", "differential_urdf", "urdf", "model", "scene", "config", "fixes", "archives", "meshes", "xacro", "lsp"):
+    for target in ("differential_yaml", "differential_urdf", "urdf", "model", "scene", "config", "fixes", "archives", "meshes", "xacro", "imports",
+                   "package", "lsp"):
         (out / target).mkdir(parents=True, exist_ok=True)
 
     def add(target: str, data: bytes) -> None:
@@ -46,6 +47,10 @@ def main() -> None:
             add("xacro", bundle(path, path.parent, "r.urdf.xacro"))
         elif path.suffix in YAML:
             add("differential_yaml", path.read_bytes())
+        elif path.suffix in {".mjcf", ".sdf"} or (path.suffix == ".xml" and is_mjcf(path)):
+            add("imports", bundle(path, path.parent, "r.xml"))
+        if path.name == "package.xml" and (path.parent / "robot.urdf.xacro").exists():
+            add("package", package(path.parent))
         if path.name == ".smurf-lint.yaml":
             add("config", path.read_bytes())
         if path.suffix == ".smurf":
@@ -56,6 +61,16 @@ def main() -> None:
             add("scene", bundle(path, path.parent, "s.smurfs"))
             for method in (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED):
                 add("archives", archive(path.parent, method))
+
+
+def is_mjcf(path: pathlib.Path) -> bool:
+    return b"<mujoco" in path.read_bytes()[:500]
+
+
+def package(folder: pathlib.Path) -> bytes:
+    """All texts of a ROS package, in a folder `p`."""
+    return b"".join(b"%%%% p/%s\n" % str(path.relative_to(folder)).encode() + path.read_bytes() + b"\n"
+                    for path in sorted(folder.rglob("*")) if path.is_file() and path.suffix not in MESHES)
 
 
 def streams() -> list[bytes]:

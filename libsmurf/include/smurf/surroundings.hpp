@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -23,6 +24,7 @@ struct LaunchText {
   bool is_known = false;    ///< wholly
   bool by_default = false;  ///< with the default of a launch argument
   std::string package;      ///< it begins with the share folder of this package
+  Span package_span;        ///< where its name is written
 };
 
 /// A file in the share folder of a package, or a path that is given as it is.
@@ -76,10 +78,16 @@ struct LaunchNode {
   std::vector<LaunchDescription> descriptions;
 };
 
-/// Why a launch file is no XML or YAML.
+/// Why a launch file is no Python, XML or YAML.
 struct LaunchFault {
   Span span;
   std::string message, help;
+};
+
+/// A package that a launch file names, that is not here, and whose name is similar to one that is.
+struct LaunchPackage {
+  Span span;
+  std::string name, similar;
 };
 
 /// A launch file, as far as it is known.
@@ -91,6 +99,7 @@ struct LaunchFile {
   bool is_ros1 = false;
   std::optional<LaunchFault> fault;  ///< the first
   std::vector<LaunchNode> nodes;
+  std::vector<LaunchPackage> misspelt_packages;
   std::vector<LaunchPath> paths;  ///< that it gives to nodes, includes and functions
   std::vector<LaunchDescription> descriptions;
   std::vector<LaunchText> moveit_configs;  ///< names of robots, MoveItConfigsBuilder
@@ -99,6 +108,7 @@ struct LaunchFile {
   bool sets_resource_path = false;          ///< GZ_SIM_RESOURCE_PATH, GAZEBO_MODEL_PATH
   bool has_includes = false;
   bool is_included = false;  ///< by another one around the robot
+  bool is_of_robot = false;  ///< it describes the robot, or names a parameter file of it
 };
 
 /// A fault in the build files of a package.
@@ -123,7 +133,7 @@ struct SurroundingPackage {
   SourceId manifest{};
   std::optional<SourceId> build_file;  ///< CMakeLists.txt or setup.py
   bool is_ament = false;
-  std::set<std::string> dependencies;
+  std::map<std::string, Span, std::less<>> dependencies;  ///< where its package.xml names them
   std::vector<InstallFault> faults;
   Span name_span, depend_span, export_span;  ///< in its package.xml
   bool has_hooks = false;                    ///< that set variables of the environment

@@ -53,6 +53,7 @@ EntityKind kind_of(std::string_view type) {
 
 std::optional<std::string_view> type_meant(const LinkedScene& scene, std::string_view type) {
   std::vector<std::string_view> known(std::begin(kEntityTypes), std::end(kEntityTypes));
+  known.insert(known.end(), std::begin(kPhobosTypes), std::end(kPhobosTypes));
   if (is_archive_type(type)) return std::nullopt;
   if (scene.schemas != nullptr) {
     if (scene.schemas->has_entity_type(type)) return std::nullopt;

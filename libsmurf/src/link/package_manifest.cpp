@@ -2,6 +2,8 @@
 // Source: REP 149.
 #include "link/package_manifest.hpp"
 
+#include <utility>
+
 #include "base/files/path.hpp"
 #include "base/text/words.hpp"
 #include "smurf/diagnostic.hpp"
@@ -15,30 +17,41 @@ constexpr std::uint64_t kMostBytesOfManifest = 1U << 20U;
 
 }  // namespace
 
-PackageManifest read_manifest(std::string_view text) {
+PackageManifest read_manifest(const xml::Document& document) {
   PackageManifest manifest;
-  if (text.empty()) return manifest;
+  const xml::View root = document.view();
+  if (!root || root.name() != "package") return manifest;
+  manifest.root_span = root.name_span();
+  bool has_type = false, needs_ament = false;
+  for (const xml::View child : root) {
+    std::string content(trimmed(child.text()));
+    if (child.name() == "name" && manifest.name.empty()) {
+      manifest.name = std::move(content);
+      manifest.name_span = child.text_span();
+    } else if (child.name().ends_with("depend")) {
+      needs_ament = needs_ament || content.starts_with("ament");
+      manifest.dependencies.try_emplace(std::move(content), child.text_span());
+    } else if (child.name() == "export") {
+      manifest.export_span = child.name_span();
+      for (const xml::View one : child) {
+        if (one.name() == "gazebo_ros") manifest.has_model_path = true;
+        if (one.name() != "build_type") continue;
+        has_type = true;
+        manifest.is_ament = manifest.is_ament || trimmed(one.text()).starts_with("ament");
+      }
+    }
+  }
+  manifest.is_ament = manifest.is_ament || (!has_type && needs_ament);
+  return manifest;
+}
+
+PackageManifest read_manifest(std::string_view text) {
+  if (text.empty()) return {};
   SourceMap sources;
   DiagnosticSink ignored;
   const SourceId source = sources.add(std::string(kPackageFile), std::string(text));
   const auto document = parse_xml(sources, source, Limits{}, ignored);
-  const xml::View root = document ? document->view() : xml::View();
-  if (!root || root.name() != "package") return manifest;
-  for (const xml::View child : root) {
-    const std::string content(trimmed(child.text()));
-    if (child.name() == "name" && manifest.name.empty()) manifest.name = content;
-    if (child.name().ends_with("depend")) manifest.dependencies.insert(content);
-    if (child.name() == "buildtool_depend" && content.starts_with("ament")) {
-      manifest.is_ament = true;
-    }
-    if (child.name() != "export") continue;
-    for (const xml::View one : child) {
-      if (one.name() == "build_type" && trimmed(one.text()).starts_with("ament")) {
-        manifest.is_ament = true;
-      }
-    }
-  }
-  return manifest;
+  return document ? read_manifest(*document) : PackageManifest{};
 }
 
 PackageManifest manifest_in(const std::string& folder, const FileReader& files) {

@@ -33,6 +33,8 @@ std::string_view type_of_extension(std::string_view extension);
 /// Type as written, else the extension of the file without the dot.
 std::string entity_type(const Entity& entity);
 EntityKind kind_of(std::string_view type);
+/// Types that Phobos writes, and for which MARS needs a plug-in.
+inline constexpr std::string_view kPhobosTypes[] = {"light", "heightmap", "mesh", "generic"};
 /// The known type that a misspelt type probably means; none for other types, as of plug-ins.
 std::optional<std::string_view> type_meant(const LinkedScene& scene, std::string_view type);
 /// scn, scene and yml: scenes of MARS before SMURF, which have separate loaders.

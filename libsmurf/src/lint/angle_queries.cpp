@@ -19,6 +19,12 @@ bool is_plainly_zero(std::string_view numbers) {
 
 }  // namespace
 
+bool looks_like_degrees(double angle) {
+  constexpr double kTwoTurns = 4 * std::numbers::pi;
+  constexpr double kPlaceholder = 1000;
+  return std::fabs(angle) > kTwoTurns && std::fabs(angle) < kPlaceholder;
+}
+
 std::vector<WrittenNumber> written_numbers(const xml::Attribute& attribute) {
   const std::string_view value = attribute.value();
   const Span whole = attribute.value_span();

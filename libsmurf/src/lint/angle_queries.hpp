@@ -24,6 +24,9 @@ std::vector<WrittenNumber> written_numbers(const xml::Attribute& attribute);
 void for_each_turn(const urdf::Robot& robot,
                    const std::function<void(const xml::Attribute&)>& visit);
 
+/// Whether an angle in radians is more than two turns, but no number such as 1e16 for "no limit".
+bool looks_like_degrees(double angle);
+
 /// The multiple of pi/2 that was rounded or truncated to this text: pi/2 for "1.57". None if the
 /// text is not such a number, or is exact to 1e-6 rad.
 std::optional<double> intended_right_angle(const WrittenNumber& angle);

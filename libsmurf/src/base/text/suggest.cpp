@@ -358,6 +358,15 @@ std::optional<std::string_view> only_nearest(std::string_view name,
   return only_nearest(name, known, steps);
 }
 
+std::optional<std::string_view> near_name(std::string_view name,
+                                          std::span<const std::string_view> known) {
+  constexpr std::size_t kShort = 5;
+  const int most = name.size() < kShort ? 1 : 2;
+  const auto near = only_nearest(name, known);
+  if (!near || differ_only_in_digits(name, *near)) return std::nullopt;
+  return edit_distance(name, *near, most) <= most ? near : std::nullopt;
+}
+
 std::optional<std::vector<std::string_view>>
 without_own(std::string_view name, std::string_view own, std::span<const std::string_view> known) {
   const int farthest = std::max(1, static_cast<int>(name.size()) / 3);

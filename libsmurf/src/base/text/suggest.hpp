@@ -49,6 +49,11 @@ std::optional<std::string_view> only_nearest(std::string_view name,
 std::optional<std::string_view> only_nearest(std::string_view name,
                                              std::span<const std::string_view> known);
 
+/// The known name that a misspelt name probably means: at most two edits away (one for a name of
+/// fewer than five letters), not different in digits only, and the only one so near.
+std::optional<std::string_view> near_name(std::string_view name,
+                                          std::span<const std::string_view> known);
+
 /// The names without `own`, for a reference of a thing that cannot mean itself. None if `own` is
 /// not near enough to the name to be suggested, or to be one of several equally near names. Empty
 /// for more than kMostValues names: a copy for each of many takes a time that grows with their

@@ -210,7 +210,6 @@ class EntityReader {
       keys.position = {};
       keys.rotation = {};
     }
-    constexpr std::string_view kPhobosTypes[] = {"light", "heightmap", "mesh", "generic"};
     for (const std::string_view type : kPhobosTypes) {
       if (instance.type == type) keys.refusal = "has no entities of type " + quoted(type);
     }

@@ -18,6 +18,7 @@ Value substituted(std::string_view text, Span span) {
   Value value;
   value.kind = Value::Kind::text;
   value.span = span;
+  const std::size_t size = text.size();
   while (!text.empty()) {
     const std::size_t begin = text.find("$(");
     if (begin > 0) {
@@ -34,7 +35,15 @@ Value substituted(std::string_view text, Span span) {
     const std::string_view word = next_word(inner, at);
     const std::string rest(trimmed(inner.substr(std::min(at, inner.size()))));
     Piece piece{Piece::Kind::unknown, rest, span};
-    if (is_one_of(word, {"find-pkg-share", "find"})) piece.kind = Piece::Kind::share;
+    if (is_one_of(word, {"find-pkg-share", "find"})) {
+      piece.kind = Piece::Kind::share;
+      // Where the name is written, unless entities make the text shorter than its place.
+      const std::size_t name = text.find(rest, begin + 2 + word.size());
+      if (name != std::string_view::npos && span.end - span.begin == size) {
+        piece.span.begin += static_cast<std::uint32_t>(size - text.size() + name);
+        piece.span.end = piece.span.begin + static_cast<std::uint32_t>(rest.size());
+      }
+    }
     if (is_one_of(word, {"var", "arg"})) piece.kind = Piece::Kind::argument;
     value.pieces.push_back(std::move(piece));
     text.remove_prefix(std::min(end, text.size()));

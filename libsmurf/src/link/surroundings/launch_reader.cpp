@@ -29,6 +29,9 @@ class PythonLaunch {
 
   void run(std::string_view text) {
     const python::File python = python::read_file(text, file_.source);
+    if (python.fault) {
+      file_.fault = LaunchFault{python.fault->span, python.fault->message, python.fault->help};
+    }
     for (const Value& call : python.calls) {
       if (call.callee != "DeclareLaunchArgument") continue;
       const std::string* name = call.items.empty() ? nullptr : call.items.front().literal();

@@ -69,6 +69,7 @@ class Texts {
         if (!one.span.empty()) text.span = one.span;
       } else if (one.kind == Piece::Kind::share && &one == &all.front()) {
         text.package = one.text;
+        text.package_span = one.span;
       } else {
         text.is_known = false;
       }

@@ -13,6 +13,7 @@
 #include "imports/imports.hpp"
 #include "link/companions/kinds.hpp"
 #include "link/companions/places.hpp"
+#include "link/package_manifest.hpp"
 #include "link/package_search.hpp"
 #include "link/surroundings/installation.hpp"
 #include "link/surroundings/launch_files.hpp"
@@ -27,46 +28,17 @@ constexpr std::uint64_t kMostBytes = kMostBytesOfLaunch;  // of a build file, to
 constexpr std::size_t kMostLaunchFiles = 60;
 constexpr std::size_t kMostPackages = 12;
 
-/// The texts of elements in a package.xml, with their places.
-struct Manifest {
-  std::string name;
-  Span name_span, depend_span, export_span;
-  std::set<std::string> dependencies;
-  bool is_ament = false, has_model_path = false;
-};
-
-Manifest read_manifest(const xml::Document& document) {
-  Manifest manifest;
-  const xml::View root = document.view();
-  if (!root) return manifest;
-  manifest.depend_span = root.name_span();
-  for (const xml::View child : root) {
-    const std::string text(trimmed(child.text()));
-    if (child.name() == "name") {
-      manifest.name = text;
-      manifest.name_span = child.text_span();
-    } else if (child.name().ends_with("depend")) {
-      manifest.dependencies.insert(text);
-      if (text.starts_with("ament")) manifest.is_ament = true;
-    } else if (child.name() == "export") {
-      manifest.export_span = child.name_span();
-      for (const xml::View one : child) {
-        if (one.name() == "build_type")
-          manifest.is_ament = trimmed(one.text()).starts_with("ament");
-        if (one.name() == "gazebo_ros") manifest.has_model_path = true;
-      }
-    }
-  }
-  return manifest;
-}
-
 class Loader {
  public:
-  Loader(const LinkedModel& model, LoadContext& context) : model_(model), context_(context) {}
+  Loader(const Accompanied& robot, LoadContext& context)
+      : model_(robot.model), companions_(robot.companions), context_(context) {}
 
   Surroundings run() {
     found_.is_xacro = model_.language == Language::xacro;
     found_.is_expanded = model_.robot.has_value();
+    for (const Companion& one : companions_.files) {
+      companion_paths_.emplace(context_.sources.path(one.source));
+    }
     const CompanionPlaces places = companion_places(std::string(path::parent(model_.urdf_path)),
                                                     context_.files, search_of(context_));
     if (places.packages.empty()) return {};
@@ -136,11 +108,10 @@ class Loader {
       found_.packages.push_back(std::move(package));
       return false;
     }
-    const Manifest manifest = read_manifest(*document);
+    const PackageManifest manifest = read_manifest(*document);
     package.name_span = manifest.name_span;
-    package.depend_span = manifest.depend_span;
-    package.export_span =
-        manifest.export_span.empty() ? manifest.depend_span : manifest.export_span;
+    package.depend_span = manifest.root_span;
+    package.export_span = manifest.export_span.empty() ? manifest.root_span : manifest.export_span;
     package.config_files = context_.files.list(path::join(folder, "config"));
     package.dependencies = manifest.dependencies;
     package.is_ament = manifest.is_ament;
@@ -191,13 +162,49 @@ class Loader {
     const auto mark = [&](LaunchDescription& one) {
       one.is_of_robot =
           one.file && !one.file->path.empty() && context_.files.identity(one.file->path) == robot;
+      file.is_of_robot = file.is_of_robot || one.is_of_robot;
     };
     for (LaunchDescription& one : file.descriptions) mark(one);
+    file.is_of_robot = file.is_of_robot || std::any_of(file.paths.begin(), file.paths.end(),
+                                                       [&](const LaunchPath& one) {
+                                                         return companion_paths_.contains(one.path);
+                                                       });
+    note_misspelt_packages(package, file);
     for (LaunchNode& node : file.nodes) {
       for (LaunchDescription& one : node.descriptions) mark(one);
     }
     found_.sources.insert(source);
     found_.launch_files.push_back(std::move(file));
+  }
+
+  /// Packages that are neither around the robot nor dependencies, with a name like one that is.
+  void note_misspelt_packages(const SurroundingPackage& package, LaunchFile& file) {
+    std::set<std::string_view> known;
+    for (const auto& [name, place] : package.dependencies) known.insert(name);
+    for (const auto& [name, folder] : packages_by_name_) known.insert(name);
+    // Two names of this package: SML4401 says that they differ.
+    for (const InstallFault& one : package.faults) {
+      if (one.kind == InstallFault::Kind::project_name) known.insert(one.what);
+    }
+    const std::vector<std::string_view> names(known.begin(), known.end());
+    std::set<std::string> seen;
+    const auto look_at = [&](const std::string& name, Span span) {
+      if (name.empty() || known.contains(name) || !seen.insert(name).second) return;
+      const auto near = near_name(name, names);
+      if (!near || search_of(context_).find(name, file.path, context_.package_folders)) return;
+      file.misspelt_packages.push_back({span, name, std::string(*near)});
+    };
+    const auto look_at_path = [&](const LaunchPath& path) {
+      look_at(path.text.package, path.text.package_span);
+    };
+    for (const LaunchDescription& one : file.descriptions) {
+      if (one.file) look_at_path(*one.file);
+    }
+    for (const LaunchPath& one : file.paths) look_at_path(one);
+    for (const LaunchNode& node : file.nodes) {
+      if (node.package.is_known && node.package.package.empty())
+        look_at(node.package.text, node.package.span);
+    }
   }
 
   /// The worlds that launch files name by literals.
@@ -427,10 +434,7 @@ class Loader {
     const LaunchFile& first = found_.launch_files.front();
     const std::string folder = found_.packages.front().folder;
     if (first.package == found_.packages.front().name) {
-      const auto relative = path::normalize(first.path);
-      const std::string begin = path::normalize(folder) + "/";
-      if (relative.starts_with(begin))
-        judge(first.package, relative.substr(begin.size()), "`ros2 launch`");
+      judge(first.package, path::relative(first.path, folder), "`ros2 launch`");
     }
   }
 
@@ -443,10 +447,12 @@ class Loader {
   }
 
   const LinkedModel& model_;
+  const Companions& companions_;
   LoadContext& context_;
   Surroundings found_;
   std::map<std::string, std::string> packages_by_name_;
   std::map<std::string, Installation> installations_;
+  std::set<std::string, std::less<>> companion_paths_;
 };
 
 }  // namespace
@@ -455,7 +461,7 @@ void add_surroundings(Accompanied& robot, LoadContext& context) {
   LinkedModel& model = robot.model;
   const bool is_part = model.robot && model.robot->links.empty();
   if (robot.companions.checks_first_only || model.urdf_path.empty() || is_part) return;
-  Surroundings found = Loader(model, context).run();
+  Surroundings found = Loader(robot, context).run();
   for (const auto& [mesh, path] : found.installed_meshes) {
     model.meshes[mesh].exists = true;
     model.meshes[mesh].path = path;

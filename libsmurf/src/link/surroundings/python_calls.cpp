@@ -31,7 +31,10 @@ bool is_textual(const Value& value) { return value.is_text(); }
 
 class Reader {
  public:
-  Reader(std::string_view text, SourceId source) : tokens_(tokens_of(text, source)) {
+  Reader(std::string_view text, SourceId source) {
+    Tokens read = tokens_of(text, source);
+    tokens_ = std::move(read.tokens);
+    file_.fault = std::move(read.fault);
     tokens_.emplace_back();
     tokens_.back().span = {source, static_cast<std::uint32_t>(text.size()),
                            static_cast<std::uint32_t>(text.size())};
@@ -377,7 +380,8 @@ class Reader {
       Value share = unknown(value.span);
       share.kind = Value::Kind::text;
       share.pieces.push_back({package != nullptr ? Piece::Kind::share : Piece::Kind::unknown,
-                              package != nullptr ? *package : "", value.span});
+                              package != nullptr ? *package : "",
+                              name != nullptr ? name->span : value.span});
       return share;
     }
     if (is_one_of(value.callee, {"os.path.join", "path.join", "join", "osp.join"})) {

@@ -3,11 +3,13 @@
 // without executing it.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "link/surroundings/python_tokens.hpp"
 #include "smurf/source.hpp"
 
 namespace smurf::python {
@@ -57,6 +59,7 @@ struct File {
   std::vector<std::pair<std::string, Value>> names;  ///< that are assigned once, in their order
   /// Whether names are bound or texts are made in ways that are not read: loops, `+=`, functions.
   bool has_loops = false;
+  std::optional<Fault> fault;
 };
 /// Never fails: what it does not understand is unknown.
 File read_file(std::string_view text, SourceId source);

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
+#include <utility>
+
+#include "base/text/quoted.hpp"
 
 namespace smurf::python {
 namespace {
@@ -15,7 +18,7 @@ class Lexer {
  public:
   Lexer(std::string_view text, SourceId source) : text_(text), source_(source) {}
 
-  std::vector<Token> run() {
+  Tokens run() {
     while (at_ < text_.size()) {
       const char c = text_[at_];
       if (c == '\n') {
@@ -32,14 +35,43 @@ class Lexer {
         other_token();
       }
     }
-    depth_ = 0;
+    if (!open_.empty()) {
+      report(open_.back().span, quoted(open_.back().text) + " is never closed",
+             "write " + quoted(std::string(1, closing(open_.back().text.front()))));
+    }
+    open_.clear();
     end_line();
-    return std::move(tokens_);
+    if (is_doubtful_) fault_.reset();
+    return {std::move(tokens_), std::move(fault_)};
   }
 
  private:
+  struct Bracket {
+    std::string_view text;
+    Span span;
+  };
+
+  static char closing(char bracket) { return bracket == '(' ? ')' : bracket == '[' ? ']' : '}'; }
+
+  void report(Span span, std::string message, std::string help) {
+    if (!fault_) fault_ = {span, std::move(message), std::move(help)};
+  }
+
+  void close(std::string_view bracket, Span span) {
+    if (open_.empty()) {
+      return report(span, quoted(bracket) + " closes nothing", "delete it");
+    }
+    const char expected = closing(open_.back().text.front());
+    if (bracket.front() != expected) {
+      report(span, quoted(bracket) + " does not close " + quoted(open_.back().text),
+             "write " + quoted(std::string(1, expected)) + " before it");
+    }
+    open_.pop_back();
+  }
+
   void end_line() {
-    const bool is_open = depth_ > 0 || tokens_.empty() || tokens_.back().kind == Token::Kind::line;
+    const bool is_open =
+        !open_.empty() || tokens_.empty() || tokens_.back().kind == Token::Kind::line;
     if (!is_open) push(Token::Kind::line, at_, at_);
   }
 
@@ -66,7 +98,9 @@ class Lexer {
     std::size_t at = quote + close.size();
     while (at < text_.size() && text_.substr(at, close.size()) != close) {
       if (text_[at] == '\n' && !is_long) break;
-      if (text_[at] == '\\' && at + 1 < text_.size()) {
+      if (text_.substr(at, 3) == "\\\r\n") {  // the line goes on
+        at += 3;
+      } else if (text_[at] == '\\' && at + 1 < text_.size()) {
         if (is_raw) value += text_[at];
         const char next = text_[at + 1];
         if (is_raw || next != '\n') value += !is_raw && next == 'n' ? '\n' : next;
@@ -78,6 +112,16 @@ class Lexer {
     const std::size_t end = std::min(at + close.size(), text_.size());
     Token& token = push(Token::Kind::text, at_, end);
     token.value = std::move(value);
+    if (text_.substr(at, close.size()) != close) {
+      report({token.span.source, token.span.begin, token.span.begin + 1}, "the text does not end",
+             "write " + quoted(close) + " at its end");
+    }
+    // Since Python 3.12, a text may be in a text: f"{names["left"]}".
+    const auto count = [&](char c) {
+      return std::count(token.value.begin(), token.value.end(), c);
+    };
+    const bool is_f = prefix.find_first_of("fF") != std::string_view::npos;
+    if (is_f && count('{') != count('}')) is_doubtful_ = true;
     token.is_format = prefix.find_first_of("fF") != std::string_view::npos &&
                       token.value.find('{') != std::string::npos;
     // The text between the quotes is the place of a finding.
@@ -108,23 +152,23 @@ class Lexer {
         }
       }
       at_ += size;
-      if (c == '(' || c == '[' || c == '{') ++depth_;
-      if ((c == ')' || c == ']' || c == '}') && depth_ > 0) --depth_;
-      push(Token::Kind::sign, begin, at_);
+      const Token& token = push(Token::Kind::sign, begin, at_);
+      if (c == '(' || c == '[' || c == '{') open_.push_back({token.text, token.span});
+      if (c == ')' || c == ']' || c == '}') close(token.text, token.span);
     }
   }
 
   std::string_view text_;
   SourceId source_;
   std::size_t at_ = 0, line_begin_ = 0;
-  int depth_ = 0;
+  std::vector<Bracket> open_;
   std::vector<Token> tokens_;
+  std::optional<Fault> fault_;
+  bool is_doubtful_ = false;  ///< brackets may be in texts that were not read as such
 };
 
 }  // namespace
 
-std::vector<Token> tokens_of(std::string_view text, SourceId source) {
-  return Lexer(text, source).run();
-}
+Tokens tokens_of(std::string_view text, SourceId source) { return Lexer(text, source).run(); }
 
 }  // namespace smurf::python

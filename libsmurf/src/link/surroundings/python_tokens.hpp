@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,7 +22,17 @@ struct Token {
   std::uint32_t column = 0;  ///< of the first token of a line
 };
 
-/// Lines in brackets are one line. Never fails.
-std::vector<Token> tokens_of(std::string_view text, SourceId source);
+/// Why Python does not run a file.
+struct Fault {
+  Span span;
+  std::string message, help;
+};
+
+struct Tokens {
+  std::vector<Token> tokens;   ///< lines in brackets are one line
+  std::optional<Fault> fault;  ///< the first bracket or text that does not end
+};
+/// Reads what it can, whatever is wrong.
+Tokens tokens_of(std::string_view text, SourceId source);
 
 }  // namespace smurf::python

@@ -7,15 +7,6 @@
 
 namespace smurf {
 
-std::optional<std::string_view> near_name(std::string_view name,
-                                          std::span<const std::string_view> known) {
-  constexpr std::size_t kShort = 5;
-  const int most = name.size() < kShort ? 1 : 2;
-  const auto near = only_nearest(name, known);
-  if (!near || differ_only_in_digits(name, *near)) return std::nullopt;
-  return edit_distance(name, *near, most) <= most ? near : std::nullopt;
-}
-
 std::optional<std::string_view> like_name(std::string_view name,
                                           std::span<const std::string_view> known) {
   const std::size_t end = name.rfind('_');

@@ -12,11 +12,6 @@
 
 namespace smurf {
 
-/// The known name that a misspelt name probably means: at most two edits away (one for a name of
-/// fewer than five letters), not different in digits only, and the only one so near.
-std::optional<std::string_view> near_name(std::string_view name,
-                                          std::span<const std::string_view> known);
-
 /// The only known name of two or more words that differs in the last one: `camera_optical_link` for
 /// `camera_optical_frame`.
 std::optional<std::string_view> like_name(std::string_view name,

@@ -3,10 +3,35 @@
 #include "lint/companions/launch.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/text/words.hpp"
 
 namespace smurf {
+namespace {
+
+constexpr RosPackage kPackages[] = {
+    {"robot_state_publisher", "robot_state_publisher"},
+    {"joint_state_publisher", "joint_state_publisher"},
+    {"joint_state_publisher_gui", "joint_state_publisher_gui"},
+    {"rviz2", "rviz2"},
+    {"controller_manager", "ros2_control_node spawner unspawner hardware_spawner"},
+    {"tf2_ros", "static_transform_publisher buffer_server tf2_echo tf2_monitor"},
+    {"ros_gz_sim", "create gzserver set_entity_pose remove"},
+    {"ros_gz_bridge", "parameter_bridge static_bridge"},
+    {"moveit_ros_move_group", "move_group list_move_group_capabilities"},
+    {"gz_ros2_control", ""},
+    {"xacro", ""},
+};
+
+}  // namespace
+
+std::span<const RosPackage> ros_packages() { return kPackages; }
+
+bool is_ros_package(std::string_view name) {
+  return std::any_of(std::begin(kPackages), std::end(kPackages),
+                     [&](const RosPackage& one) { return one.name == name; });
+}
 
 void for_each_launch(const Companions& companions,
                      const std::function<void(const LaunchFile&)>& visit) {

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,13 @@ void for_each_launch(const Companions& companions,
 
 /// How a launch file gives the output of xacro as a parameter: "`Command(['xacro ', path])`".
 std::string_view xacro_call(const LaunchFile& launch);
+
+/// A package of ROS that robots are started with, and its programs; empty if they are not listed.
+struct RosPackage {
+  std::string_view name, programs;
+};
+std::span<const RosPackage> ros_packages();
+bool is_ros_package(std::string_view name);
 
 /// Whether a node runs this program of a package.
 bool runs(const LaunchNode& node, std::string_view package, std::string_view executable);

@@ -3,20 +3,18 @@
 #include <numbers>
 
 #include "base/numbers/numbers.hpp"
+#include "lint/angle_queries.hpp"
 #include "lint/queries.hpp"
 
 namespace smurf::rules::sml1411_bounds_look_like_degrees_file {
 namespace {
 
 void check(const LinkedModel& model, Findings& findings) {
-  constexpr double kTwoTurns = 4 * std::numbers::pi;
-  constexpr double kPlaceholder = 1000;  // numbers such as 1e16 mean "no limit"
   for_each_joint(model, [&](const urdf::Joint& joint) {
     if (joint.type != urdf::JointType::revolute || !joint.limit) return;
     for (const Field<double>* bound : {&joint.limit->lower, &joint.limit->upper}) {
-      if (!*bound) continue;
+      if (!*bound || !looks_like_degrees(**bound)) continue;
       const double size = std::fabs(**bound);
-      if (size <= kTwoTurns || size >= kPlaceholder) continue;
       findings
           .report(bound->span, "the limit " + format_number(**bound) + " of " + title(joint) +
                                    " is " + format_rounded(size / (2 * std::numbers::pi), 3) +

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <cmath>
-#include <numbers>
-
 #include "base/findings/readers.hpp"
 #include "base/numbers/numbers.hpp"
+#include "lint/angle_queries.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml3230_pose_outside_limits_file {
@@ -17,9 +15,8 @@ void check_entry(const LinkedModel& model, const JointPoseSet::Entry& entry, Fin
   const Field<double>& lower = joint->limit->lower;
   const Field<double>& upper = joint->limit->upper;
   if (!lower || !upper || *lower >= *upper) return;
-  constexpr double kTwoTurns = 4 * std::numbers::pi;
   const bool is_angle = joint->type == urdf::JointType::revolute;
-  if (is_angle && std::fabs(position) > kTwoTurns) return;  // in degrees, reported
+  if (is_angle && looks_like_degrees(position)) return;  // SML4117
   const bool is_below = is_clearly_less(position, *lower);
   if (!is_below && !is_clearly_less(*upper, position)) return;
   const Field<double>& limit = is_below ? lower : upper;

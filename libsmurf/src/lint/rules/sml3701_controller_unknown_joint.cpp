@@ -12,7 +12,6 @@
 
 #include "base/text/suggest.hpp"
 #include "lint/companions/controllers.hpp"
-#include "lint/companions/frames.hpp"
 
 namespace smurf::rules::sml3701_controller_unknown_joint_file {
 namespace {

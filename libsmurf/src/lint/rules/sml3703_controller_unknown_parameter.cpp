@@ -51,11 +51,30 @@ void check_mapping(yaml::View mapping, const std::string& prefix,
   }
 }
 
+/// The parameters of controller_manager itself; its other members are controllers.
+void check_manager(yaml::View manager, Findings& findings) {
+  const std::vector<RosParameter> known = manager_parameters();
+  const std::vector<std::string_view> names = names_behind(known, "");
+  for (const yaml::View member : manager) {
+    if (member.is_repeated() || member.is_mapping()) continue;
+    const auto near = near_name(member.key(), names);
+    if (!near) continue;
+    Diagnostic& found = findings.report(member.key_span(), "controller_manager has no parameter " +
+                                                               quoted(member.key()));
+    found.help("did you mean " + quoted(*near) + "?");
+    if (manager.find(*near)) continue;
+    found.fixes.push_back({Applicability::unsafe, {{member.key_span(), std::string(*near)}}});
+  }
+}
+
 void check(const LinkedModel&, const Companions& companions, Findings& findings) {
   for_each_known_controller(
       companions, [&](const RosController& controller, const std::vector<RosParameter>& known) {
         check_mapping(controller.section, "", known, controller, findings);
       });
+  for_each_controller_file(companions, [&](const ControllerFile& file) {
+    if (file.manager) check_manager(file.manager, findings);
+  });
 }
 
 constexpr Fact kFacts[] = {
@@ -69,8 +88,8 @@ extern constinit const Rule sml3703_controller_unknown_parameter{
     .id = "SML3703",
     .name = "controller-unknown-parameter",
     .severity = Severity::warning,
-    .summary = "A parameter of a controller is misspelt.",
-    .why = "The controller uses its default for the parameter that was meant.",
+    .summary = "A parameter of a controller, or of controller_manager, is misspelt.",
+    .why = "The program uses its default for the parameter that was meant.",
     .remedy = "Correct the name.",
     .check_companions = check,
     .facts = kFacts};

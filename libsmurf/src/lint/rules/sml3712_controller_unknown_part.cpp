@@ -8,9 +8,9 @@
 
 #include "base/findings/uncertain.hpp"
 #include "base/text/lists.hpp"
+#include "base/text/suggest.hpp"
 #include "base/text/words.hpp"
 #include "lint/companions/controllers.hpp"
-#include "lint/companions/frames.hpp"
 #include "lint/companions/ros2_control.hpp"
 
 namespace smurf::rules::sml3712_controller_unknown_part_file {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 #include <string>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "base/text/quoted.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/companions/controllers.hpp"
 #include "lint/companions/moveit_files.hpp"
 #include "lint/companions/srdf_queries.hpp"
@@ -66,6 +68,19 @@ void check_joints(yaml::View controller, const Declared& declared, Findings& fin
       .when(kJoints);
 }
 
+/// The names that the controllers of ros2_controllers give to their actions.
+void check_action(yaml::View controller, Findings& findings) {
+  constexpr std::array<std::string_view, 2> kActions = {"follow_joint_trajectory", "gripper_cmd"};
+  const yaml::View action = controller.find("action_ns");
+  if (!action || !action.is_scalar()) return;
+  const auto near = near_name(action.text(), kActions);
+  if (!near) return;
+  Diagnostic& found = findings.report(action.span(), "the controller " + quoted(controller.key()) +
+                                                         " has no action " + quoted(action.text()));
+  found.help("did you mean " + quoted(*near) + "?");
+  found.fixes.push_back({Applicability::unsafe, {{action.span(), std::string(*near)}}});
+}
+
 void check_manager(yaml::View root, const std::map<std::string_view, Declared>& declared,
                    Findings& findings) {
   const yaml::View names = root.find("controller_names");
@@ -81,7 +96,9 @@ void check_manager(yaml::View root, const std::map<std::string_view, Declared>& 
     const auto known = declared.find(without_namespace(name.text()));
     const yaml::View controller = root.find(name.text());
     if (known != declared.end()) {
-      if (controller && controller.is_mapping()) check_joints(controller, known->second, findings);
+      if (!controller || !controller.is_mapping()) continue;
+      check_joints(controller, known->second, findings);
+      check_action(controller, findings);
       continue;
     }
     if (!controller) continue;  // SML3804
@@ -96,6 +113,63 @@ void check_manager(yaml::View root, const std::map<std::string_view, Declared>& 
 }
 
 /// Controllers whose joints are in no group, so that no plan moves them.
+/// The texts of a list; empty if it is not one.
+std::set<std::string_view> texts_of(yaml::View list) {
+  std::set<std::string_view> texts;
+  if (!list || !list.is_sequence()) return texts;
+  for (const yaml::View one : list) {
+    if (one.is_scalar()) texts.insert(one.text());
+  }
+  return texts;
+}
+
+/// ros_control of ROS 1: `arm: {type: position_controllers/JointTrajectoryController, joints:
+/// ...}`.
+std::map<std::string_view, std::set<std::string_view>>
+ros1_controllers(const Companions& companions) {
+  std::map<std::string_view, std::set<std::string_view>> all;
+  for_each_file(
+      companions, CompanionKind::moveit_controllers, [&](const Companion& file, yaml::View root) {
+        for (const yaml::View member : root) {
+          const yaml::View type = member.is_mapping() ? member.find("type") : yaml::View();
+          if (!type || !type.is_scalar()) continue;
+          if (type.text().ends_with("/JointTrajectoryController"))
+            all[member.key()] = texts_of(member.find("joints"));
+        }
+      });
+  return all;
+}
+
+/// A name that no controller has, of an entry with exactly the joints of one: the setup assistant
+/// of MoveIt writes `name: ""`.
+void check_ros1(yaml::View root,
+                const std::map<std::string_view, std::set<std::string_view>>& declared,
+                Findings& findings) {
+  const yaml::View list = root.find("controller_list");
+  if (!list || !list.is_sequence()) return;
+  for (const yaml::View entry : list) {
+    const yaml::View name = entry.is_mapping() ? entry.find("name") : yaml::View();
+    const yaml::View action = entry.is_mapping() ? entry.find("action_ns") : yaml::View();
+    if (!name || !name.is_scalar() || !action || !action.is_scalar()) continue;
+    std::string_view written = name.text();
+    while (written.ends_with('/')) written.remove_suffix(1);
+    // Drivers of ROS-Industrial have an action `joint_trajectory_action` without a controller.
+    if (action.text() != "follow_joint_trajectory" || is_placeholder(written)) continue;
+    if (declared.contains(without_namespace(written))) continue;
+    const std::set<std::string_view> joints = texts_of(entry.find("joints"));
+    const auto same = std::find_if(declared.begin(), declared.end(), [&](const auto& one) {
+      return !joints.empty() && one.second == joints;
+    });
+    if (same == declared.end()) continue;
+    Diagnostic& found = findings.report(
+        name.place(), "MoveIt looks for the action " +
+                          quoted(std::string(written) + "/follow_joint_trajectory") +
+                          ", but the controller with these joints is " + quoted(same->first));
+    found.help("write `name: " + std::string(same->first) + "`");
+    found.fixes.push_back({Applicability::unsafe, {{name.place(), std::string(same->first)}}});
+  }
+}
+
 class Groups {
  public:
   Groups(const LinkedModel& model, const srdf::Description& srdf) : model_(model) {
@@ -144,6 +218,10 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
                   if (only == nullptr || file.folder != only->folder) return;
                   Groups(model, *only->srdf).check(root, findings);
                 });
+  if (const auto old = ros1_controllers(companions); !old.empty()) {
+    for_each_file(companions, CompanionKind::moveit_controllers,
+                  [&](const Companion&, yaml::View root) { check_ros1(root, old, findings); });
+  }
   const std::map<std::string_view, Declared> declared = declared_in(model, companions);
   if (declared.empty()) return;  // they may be on the robot
   for_each_file(companions, CompanionKind::moveit_controllers,
@@ -158,7 +236,7 @@ constexpr Fact kFacts[] = {
     {&readers::moveit, Effect::loses, "sends no motion for the joint",
      "moveit2 moveit_simple_controller_manager.cpp", when(kJoints)},
     {&readers::moveit, Effect::loses, "finds no action server, and cannot execute a plan",
-     "moveit2 moveit_simple_controller_manager.cpp action_based_controller_handle.hpp"},
+     "moveit and moveit2 moveit_simple_controller_manager.cpp action_based_controller_handle.hpp"},
 };
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lint/companions/frames.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/companions/moveit_files.hpp"
 
 namespace smurf::rules::sml3812_moveit_unknown_parameter_file {

@@ -6,7 +6,6 @@
 
 #include "base/text/suggest.hpp"
 #include "base/text/words.hpp"
-#include "lint/companions/frames.hpp"
 #include "lint/companions/gazebo.hpp"
 #include "lint/companions/ros2_control.hpp"
 

@@ -4,16 +4,11 @@
 #include <numbers>
 
 #include "base/numbers/numbers.hpp"
+#include "lint/angle_queries.hpp"
 #include "lint/annotation_queries.hpp"
 
 namespace smurf::rules::sml4117_angle_looks_like_degrees_file {
 namespace {
-
-bool looks_like_degrees(double angle) {
-  constexpr double kTwoTurns = 4 * std::numbers::pi;
-  constexpr double kPlaceholder = 1000;  // numbers such as 1e16 mean "no limit"
-  return std::fabs(angle) > kTwoTurns && std::fabs(angle) < kPlaceholder;
-}
 
 /// Null when there is nothing to report.
 Diagnostic* check_angle(std::optional<double> angle, Span place, std::string_view what,

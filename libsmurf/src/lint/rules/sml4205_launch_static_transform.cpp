@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/text/suggest.hpp"
 #include "lint/companions/frames.hpp"
 #include "lint/companions/launch.hpp"
 

@@ -16,25 +16,10 @@ namespace {
 constexpr Circumstance kTwice{"twice"};
 constexpr Circumstance kPrefix{"prefix"};
 
-/// The programs of packages that many launch files start.
-constexpr struct {
-  std::string_view package, programs;
-} kPrograms[] = {
-    {"robot_state_publisher", "robot_state_publisher"},
-    {"joint_state_publisher", "joint_state_publisher"},
-    {"joint_state_publisher_gui", "joint_state_publisher_gui"},
-    {"rviz2", "rviz2"},
-    {"controller_manager", "ros2_control_node spawner unspawner hardware_spawner"},
-    {"tf2_ros", "static_transform_publisher buffer_server tf2_echo tf2_monitor"},
-    {"ros_gz_sim", "create gzserver set_entity_pose remove"},
-    {"ros_gz_bridge", "parameter_bridge static_bridge"},
-    {"moveit_ros_move_group", "move_group list_move_group_capabilities"},
-};
-
 void check_program(const LaunchNode& node, Findings& findings) {
   if (!node.package.is_known || !node.executable.is_known) return;
-  for (const auto& one : kPrograms) {
-    if (one.package != node.package.text) continue;
+  for (const RosPackage& one : ros_packages()) {
+    if (one.name != node.package.text || one.programs.empty()) continue;
     std::vector<std::string_view> names;
     for (std::size_t at = 0;;) {
       const std::string_view name = next_word(one.programs, at);
@@ -51,8 +36,8 @@ void check_program(const LaunchNode& node, Findings& findings) {
     if (!near && !is_plain) return;
     const std::string right(is_plain ? program.substr(0, program.size() - 3) : *near);
     Diagnostic& found =
-        findings.report(node.executable.span, "the package " + quoted(one.package) +
-                                                  " has no program " + quoted(program));
+        findings.report(node.executable.span,
+                        "the package " + quoted(one.name) + " has no program " + quoted(program));
     found.severity = Severity::error;
     found.help("did you mean " + quoted(right) + "?");
   }

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text/suggest.hpp"
 #include "base/text/words.hpp"
 #include "lint/companions/controllers.hpp"
-#include "lint/companions/frames.hpp"
 #include "lint/companions/launch.hpp"
 #include "lint/companions/ros2_control.hpp"
 
@@ -50,12 +50,14 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
   });
   const std::vector<std::string_view> known(declared.begin(), declared.end());
   for_each_launch(companions, [&](const LaunchFile& launch) {
-    bool has_known = false;
+    std::set<std::string_view> started;
     for (const LaunchNode& node : launch.nodes) {
       if (!is_spawner(node)) continue;
-      for (const LaunchText* one : controllers_of(node))
-        has_known = has_known || declared.contains(one->text);
+      for (const LaunchText* one : controllers_of(node)) started.insert(one->text);
     }
+    const bool has_known = std::any_of(started.begin(), started.end(), [&](std::string_view one) {
+      return declared.contains(one);
+    });
     for (const LaunchNode& node : launch.nodes) {
       if (!is_spawner(node)) continue;
       for (const LaunchText& one : node.arguments) {
@@ -65,11 +67,11 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
             .help("write `--inactive`")
             .severity = Severity::info;
       }
-      if (!has_known) continue;
+      if (!has_known && !launch.is_of_robot) continue;
       for (const LaunchText* one : controllers_of(node)) {
         if (declared.contains(one->text) || one->by_default) continue;
         const auto near = near_name(one->text, known);
-        if (!near) continue;
+        if (!near || (!has_known && started.contains(*near))) continue;
         findings
             .report(one->span,
                     "no file around the robot declares the controller " + quoted(one->text))

@@ -7,7 +7,9 @@ namespace {
 void check(const LinkedModel&, const Companions& companions, Findings& findings) {
   for_each_launch(companions, [&](const LaunchFile& launch) {
     if (!launch.fault) return;
-    const std::string_view form = launch.form == LaunchFile::Form::yaml ? "YAML" : "XML";
+    const std::string_view form = launch.form == LaunchFile::Form::python ? "Python"
+                                  : launch.form == LaunchFile::Form::yaml ? "YAML"
+                                                                          : "XML";
     Diagnostic& found = findings.report(launch.fault->span, launch.fault->message);
     found.note("launch files must be well-formed " + std::string(form));
     found.help(launch.fault->help.empty() ? "correct the syntax here" : launch.fault->help);
@@ -16,7 +18,7 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
 
 constexpr Fact kFacts[] = {
     {&readers::ros, Effect::refuses, "cannot read the launch file, and starts nothing",
-     "launch_xml and launch_yaml parser.py, read; ElementTree and PyYAML, run"},
+     "launch_xml and launch_yaml parser.py, read; ElementTree, PyYAML and ast of CPython 3.11, run"},
 };
 
 }  // namespace
@@ -24,7 +26,8 @@ constexpr Fact kFacts[] = {
 extern constinit const Rule sml4213_launch_malformed{.id = "SML4213",
                                                      .name = "launch-malformed",
                                                      .severity = Severity::error,
-                                                     .summary = "A launch file is no XML or YAML.",
+                                                     .summary =
+                                                         "A launch file is no Python, XML or YAML.",
                                                      .remedy = "Correct the syntax at the place.",
                                                      .check_companions = check,
                                                      .facts = kFacts};

@@ -2,8 +2,10 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
-#include "base/text/words.hpp"
+#include "base/text/quoted.hpp"
+#include "base/text/suggest.hpp"
 #include "lint/companions/launch.hpp"
 
 namespace smurf::rules::sml4402_install_dependency_file {
@@ -23,13 +25,22 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
           used.insert("xacro");
       }
     }
+    std::vector<std::string_view> named;
+    for (const auto& [name, place] : package.dependencies) {
+      if (!is_ros_package(name)) named.push_back(name);
+    }
     std::string missing;
     for (const std::string& one : used) {
-      const bool is_known =
-          is_one_of(one, {"xacro", "robot_state_publisher", "joint_state_publisher",
-                          "joint_state_publisher_gui", "rviz2", "ros_gz_sim", "gz_ros2_control",
-                          "controller_manager"});
-      if (!is_known || package.dependencies.contains(one)) continue;
+      if (!is_ros_package(one) || package.dependencies.contains(one)) continue;
+      if (const auto near = near_name(one, named)) {
+        const Span place = package.dependencies.find(*near)->second;
+        Diagnostic& found = findings.report(place, "the package depends on " + quoted(*near) +
+                                                       ", but its launch files use " + quoted(one));
+        found.severity = Severity::warning;
+        found.help("write " + quoted(one));
+        found.fixes.push_back({Applicability::unsafe, {{place, one}}});
+        continue;
+      }
       missing += (missing.empty() ? "" : ", ") + quoted(one);
     }
     if (missing.empty()) continue;

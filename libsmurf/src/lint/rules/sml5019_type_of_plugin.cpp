@@ -9,8 +9,6 @@
 namespace smurf::rules::sml5019_type_of_plugin_file {
 namespace {
 
-constexpr std::string_view kPhobosTypes[] = {"light", "heightmap", "mesh", "generic"};
-
 void check(const LinkedScene& scene, Findings& findings) {
   for_each_entity(scene, [&](const SceneFile&, const Entity& entity) {
     const std::string type = entity_type(entity);
