@@ -31,6 +31,7 @@ Imported expand(SourceId root, Context& context) {
   const std::string path = context.sources.path(root);
   if (build(root, reporter, model)) {
     check_references(model, reporter);
+    check_refusals(model, reporter);
     report_slips(model, reporter);
     weigh(model, reporter);
     arrange(model);

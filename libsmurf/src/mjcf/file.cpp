@@ -6,6 +6,7 @@
 
 #include "base/files/path.hpp"
 #include "base/findings/rules.hpp"
+#include "base/text/lists.hpp"
 #include "base/text/quoted.hpp"
 #include "syntax/xml_reader.hpp"
 
@@ -16,22 +17,6 @@ constexpr std::string_view kActuators[] = {"motor",       "position", "velocity"
                                            "orientation", "pid",      "damper",   "cylinder",
                                            "muscle",      "adhesion", "dcmotor",  "plugin"};
 constexpr std::string_view kEqualities[] = {"connect", "weld", "flex", "flexstrain", "equality"};
-
-/// How many numbers an attribute has, whatever its element is.
-struct NumberCount {
-  std::string_view attribute;
-  std::size_t least, most;
-};
-constexpr NumberCount kNumbers[] = {
-    {"kp", 1, 1},          {"kv", 1, 3},       {"dampratio", 1, 1}, {"cutoff", 1, 1},
-    {"noise", 1, 1},       {"rgb1", 3, 3},     {"rgb2", 3, 3},      {"markrgb", 3, 3},
-    {"rgba", 4, 4},        {"gear", 1, 6},     {"ctrlrange", 2, 2}, {"forcerange", 2, 2},
-    {"lengthrange", 2, 2}, {"group", 1, 1},    {"condim", 1, 1},    {"contype", 1, 1},
-    {"conaffinity", 1, 1}, {"priority", 1, 1}, {"gap", 1, 1},       {"solmix", 1, 1},
-    {"fovy", 1, 1},        {"emission", 1, 1}, {"shininess", 1, 1}, {"reflectance", 1, 1},
-    {"texrepeat", 2, 2},   {"coef", 1, 1},     {"timestep", 1, 1},  {"iterations", 1, 1},
-    {"diffuse", 3, 3},     {"ambient", 3, 3},  {"width", 1, 1},     {"height", 1, 1},
-    {"anchor", 3, 3},      {"relpose", 7, 7},  {"polycoef", 1, 5}};
 
 template <std::size_t N>
 bool is_among(std::string_view text, const std::string_view (&texts)[N]) {
@@ -138,13 +123,19 @@ void ModelFile::include(View element) {
   }
 }
 
+void ModelFile::check_value(const Attribute& attribute, const Value& value) {
+  switch (value.kind) {
+  case Value::Kind::text: return;
+  case Value::Kind::number: numbers_of(attribute, value.least, value.most, reporter_); return;
+  case Value::Kind::integer: integers_of(attribute, value.least, value.most, reporter_); return;
+  case Value::Kind::word: word_of(attribute, value.words, reporter_); return;
+  }
+}
+
 void ModelFile::check_attributes(View element, const Grammar& known, bool is_loose) {
   for (const Attribute& one : element.attributes()) {
-    if (known.has_attribute(one.name())) {
-      const auto row =
-          std::find_if(std::begin(kNumbers), std::end(kNumbers),
-                       [&](const NumberCount& count) { return count.attribute == one.name(); });
-      if (row != std::end(kNumbers)) numbers_of(one, row->least, row->most, reporter_);
+    if (const Value* value = known.attribute(one.name())) {
+      check_value(one, *value);
       continue;
     }
     const bool has_own = known.attributes.empty() && known.name != "worldbody";
@@ -156,13 +147,37 @@ void ModelFile::check_attributes(View element, const Grammar& known, bool is_loo
         is_loose ? reporter_.report(rules::sml9306_ignored_by_mujoco, one.name_span(),
                                     message + ", and MuJoCo ignores it inside of a frame")
                  : reporter_.refuse(one.name_span(), message, "");
-    const auto near = reporter_.context().sink.suggest(one.name(), known.attributes);
+    std::vector<std::string_view> names;
+    for (const Value& value : known.attributes) names.push_back(value.name);
+    const auto near = reporter_.context().sink.suggest(one.name(), names);
     found.help(near ? "did you mean " + quoted(*near) + "?" : "delete it");
+  }
+}
+
+void ModelFile::check_needs(View element, const Grammar& known) {
+  const auto is_written = [&](std::string_view one) { return element.attribute(one) != nullptr; };
+  for (const Value& one : known.attributes) {
+    if (!one.is_required || is_written(one.name)) continue;
+    reporter_.refuse(element.name_span(), quoted(known.name) + " has no " + quoted(one.name),
+                     "write `" + std::string(one.name) + "=\"...\"`");
+  }
+  for (const Need& need : known.needs) {
+    bool has_whole = false, has_some = false;
+    std::vector<std::string> wanted;
+    for (const auto& group : need.groups) {
+      has_whole = has_whole || std::all_of(group.begin(), group.end(), is_written);
+      has_some = has_some || std::any_of(group.begin(), group.end(), is_written);
+      wanted.push_back(enumerated(all_quoted(group)));
+    }
+    if (has_whole || (need.groups.size() == 1 && !has_some)) continue;
+    const std::string names = enumerated(wanted, ", or ");
+    reporter_.refuse(element.name_span(), quoted(known.name) + " needs " + names, "write " + names);
   }
 }
 
 void ModelFile::check(View element, const Grammar& known, bool is_loose) {
   check_attributes(element, known, is_loose);
+  check_needs(element, known);
   // MuJoCo compares nothing with its schema inside of these.
   is_loose = is_loose || known.name == "frame" || known.name == "replicate";
   std::map<std::string_view, Span> once;

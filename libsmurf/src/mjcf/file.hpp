@@ -97,6 +97,8 @@ class ModelFile {
   void include(View element);
   void check(View element, const Grammar& grammar, bool is_loose);
   void check_attributes(View element, const Grammar& grammar, bool is_loose);
+  void check_needs(View element, const Grammar& grammar);
+  void check_value(const Attribute& attribute, const Value& value);
   void read_compiler(View element);
   void read_default(View element, const DefaultClass* outer);
 

@@ -125,6 +125,17 @@ bool check_size(const Settings& s, const Geom& geom, Reporter& reporter) {
   return true;
 }
 
+/// The sides of a plane may be 0, for one without an end; its third size is the distance of the
+/// lines of its grid.
+bool check_plane(const Settings& s, const Geom& geom, Reporter& reporter) {
+  if (geom.size[2] > 0) return true;
+  const Attribute* written = s.find("size");
+  reporter.refuse(written != nullptr ? written->value_span() : s.element().name_span(),
+                  "the third size of a plane is not positive",
+                  "write three numbers, such as `size=\"0 0 1\"` for a plane without an end");
+  return false;
+}
+
 /// Written as no mass; then the volume does not matter.
 bool mass_is_zero(const Settings& s, Reporter& reporter) {
   return s.has("mass") ? s.number("mass", 0, reporter) == 0
@@ -197,6 +208,7 @@ std::optional<Geom> read_geom(View element, const Surroundings& around, Meshes& 
     return std::nullopt;
   }
   if (geom.shape == Shape::mesh) geom.mesh_pose = geom.pose * mesh->origin;
+  if (geom.shape == Shape::plane && !check_plane(s, geom, reporter)) return std::nullopt;
   if (!is_meshed && geom.shape != Shape::plane && geom.shape != Shape::hfield &&
       !check_size(s, geom, reporter))
     return geom;

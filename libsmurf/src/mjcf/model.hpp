@@ -145,6 +145,8 @@ std::vector<Body> points_of_flex(View element, const Pose& X, const Surroundings
                                  Reporter& reporter);
 /// Reports names that nothing has.
 void check_references(const Model& model, Reporter& reporter);
+/// Reports values that MuJoCo refuses when it compiles the model.
+void check_refusals(const Model& model, Reporter& reporter);
 /// Takes bodies without joints into their parents, and turns free bodies to their principal axes,
 /// where the compiler is asked to.
 void arrange(Model& model);

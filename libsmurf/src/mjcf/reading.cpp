@@ -15,6 +15,20 @@ namespace {
 
 constexpr std::string_view kSeparators = " \t\r\n\v\f";
 
+constexpr double kLargestInteger = 2147483647;
+
+std::vector<std::string_view> words_in(std::string_view text) {
+  std::vector<std::string_view> words;
+  while (true) {
+    const std::size_t begin = text.find_first_not_of(kSeparators);
+    if (begin == std::string_view::npos) return words;
+    text.remove_prefix(begin);
+    const std::size_t end = std::min(text.find_first_of(kSeparators), text.size());
+    words.push_back(text.substr(0, end));
+    text.remove_prefix(end);
+  }
+}
+
 /// As strtod(): with a sign, in base 16, "inf" and "nan".
 std::optional<double> number_in(std::string_view word) {
   const bool is_negative = word.starts_with('-');
@@ -40,17 +54,11 @@ std::optional<double> number_in(std::string_view word) {
 std::vector<double> numbers_of(const Attribute& attribute, std::size_t least, std::size_t most,
                                Reporter& reporter) {
   std::vector<double> numbers;
-  std::string_view rest = attribute.value();
-  while (true) {
-    const std::size_t begin = rest.find_first_not_of(kSeparators);
-    if (begin == std::string_view::npos) break;
-    rest.remove_prefix(begin);
-    const std::size_t end = std::min(rest.find_first_of(kSeparators), rest.size());
-    const auto number = number_in(rest.substr(0, end));
+  for (const std::string_view word : words_in(attribute.value())) {
+    const auto number = number_in(word);
     if (!number) {
       reporter.refuse(attribute.value_span(),
-                      quoted(rest.substr(0, end)) + " in " + quoted(attribute.name()) +
-                          " is not a number",
+                      quoted(word) + " in " + quoted(attribute.name()) + " is not a number",
                       "write a number such as `0.5`");
       return numbers;
     }
@@ -62,7 +70,6 @@ std::vector<double> numbers_of(const Attribute& attribute, std::size_t least, st
       return numbers;
     }
     numbers.push_back(*number);
-    rest.remove_prefix(end);
   }
   if (numbers.empty()) return numbers;  // as if it were not written
   if (numbers.size() < least) {
@@ -72,6 +79,23 @@ std::vector<double> numbers_of(const Attribute& attribute, std::size_t least, st
                     "write all of them");
   }
   return numbers;
+}
+
+void integers_of(const Attribute& attribute, std::size_t least, std::size_t most,
+                 Reporter& reporter) {
+  for (const std::string_view word : words_in(attribute.value())) {
+    std::string_view digits = word;
+    if (digits.starts_with('-') || digits.starts_with('+')) digits.remove_prefix(1);
+    const bool is_integer =
+        !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos;
+    if (is_integer && std::fabs(number_in(word).value_or(0)) <= kLargestInteger) continue;
+    reporter.refuse(attribute.value_span(),
+                    quoted(word) + " in " + quoted(attribute.name()) + " is " +
+                        (is_integer ? "too large" : "not an integer"),
+                    is_integer ? "write a smaller number" : "write an integer such as `1`");
+    return;
+  }
+  numbers_of(attribute, least, most, reporter);
 }
 
 std::optional<std::size_t> word_of(const Attribute& attribute,

@@ -40,6 +40,9 @@ using imports::words_of;
 /// The numbers of an attribute; reports what MuJoCo refuses, and returns those before.
 std::vector<double> numbers_of(const Attribute& attribute, std::size_t least, std::size_t most,
                                Reporter& reporter);
+/// The same for integers: "1.0" is none.
+void integers_of(const Attribute& attribute, std::size_t least, std::size_t most,
+                 Reporter& reporter);
 /// One of `words`; reports others.
 std::optional<std::size_t> word_of(const Attribute& attribute,
                                    std::span<const std::string_view> words, Reporter& reporter);

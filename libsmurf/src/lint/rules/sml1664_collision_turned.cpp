@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <variant>
 
@@ -87,7 +88,7 @@ void check(const LinkedModel& model, Findings& findings) {
                       "the collision of " + title(link) +
                           " has the shape and size of its visual, but " +
                           (is_turned ? "is turned" : "is beside it"),
-                      "such collisions")
+                      "such collisions", static_cast<std::size_t>(misfit))
         .help("write the `origin` of the visual into the collision, too");
   });
 }
