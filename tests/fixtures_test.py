@@ -35,7 +35,7 @@ MISTAKES = [
     ({f"{RULE}/base/rest.yml": "1", f"{RULE}/bad/rest.yml": "2", f"{RULE}/good/rest.yml": "3"},
      f"{RULE}/base/rest.yml: no case uses it"),
     ({"rules/lamp/notes.txt": ""}, "rules/lamp/notes.txt: belongs to no rule"),
-    ({f"{RULE}/god/lamp.yml": "motors"}, f"{RULE}/god: is none of bad, base, good"),
+    ({f"{RULE}/god/lamp.yml": "motors"}, f"{RULE}/god: expected bad, base, good"),
     ({"rules/box/SML2-y/bad/box.urdf": "", "rules/box/SML2-y/good/model.smurf": "1"},
      "rules/box/SML2-y: another folder has this rule"),
 ]
