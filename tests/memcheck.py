@@ -13,7 +13,7 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
 HERE = pathlib.Path(__file__).resolve().parent
-FIXTURES = HERE.parent / "fixtures"
+FIXTURES = HERE.parent / "build/fixtures"
 FOUND = 99
 VALGRIND = ["valgrind", "--quiet", f"--suppressions={HERE / 'memcheck.supp'}", f"--error-exitcode={FOUND}",
             "--leak-check=full", "--errors-for-leak-kinds=definite", "--show-leak-kinds=definite", "--num-callers=30"]

@@ -35,7 +35,8 @@ ARM_SMURF = "modelname: arm\nfiles:\n- ../urdf/arm.urdf\n- arm_motors.yml\n"
 ARM_MOTORS = "motors:\n- name: elbow\n  joint: elbow\n  type: PID\n  maxEffort: 1.0\n  maxSpeed: 1.0\n"
 
 TOOL = None
-FIXTURES = pathlib.Path(__file__).resolve().parent.parent.parent / "fixtures"
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+FIXTURES = ROOT / "build/fixtures"  # by scripts/fixtures
 
 
 def package(name, *needs):

@@ -333,7 +333,7 @@ class CompanionRows(cli.CliTest):
         tests = pathlib.Path(__file__).resolve().parent.parent
         cases = (tests / "verdicts/companion_executed.tsv").read_text(encoding="utf-8").splitlines()
         proofs = {row[0] for row in ROWS} | {row[0] for row in CALM} | {" ".join(line.split("\t")[:2]) for line in cases}
-        proofs |= {path.name for path in (tests.parent / "fixtures/rules").iterdir() if (path / "bad").is_dir()}
+        proofs |= {path.name for path in (cli.FIXTURES / "rules").iterdir() if (path / "bad").is_dir()}
         proofs |= set(re.findall(r"def (test_\w+)", (tests / "cli/companions_test.py").read_text(encoding="utf-8")))
         named = {proof for _, *those in companion_tables.TABLES for proof in those}
         self.assertEqual(sorted(named - proofs), [])

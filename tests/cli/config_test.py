@@ -7,7 +7,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import cli  # noqa: E402
 
-SCHEMAS = cli.FIXTURES.parent / "schemas"
+SCHEMAS = cli.ROOT / "schemas"
 SCENE = "entities:\n- {file: box.urdf}\n- {name: bow, type: rainbow, radius: wide}\n"
 URDF = '<?xml version="1.0"?>\n<robot name="box"><link name="box"/></robot>\n'
 RAINBOW = '{"properties": {"radius": {"type": "number", "description": "In metres."}}}\n'

@@ -286,7 +286,7 @@ def is_told(thing, form, cell):
 
 def table():
     """The cells of each row of the page, one for each format."""
-    page = (cli.FIXTURES.parent / "docs/scene-formats.md").read_text()
+    page = (cli.ROOT / "docs/scene-formats.md").read_text()
     return {cells[1].strip(): [cell.strip() for cell in cells[2:-1]]
             for cells in (line.split("|") for line in page.splitlines() if line.startswith("| "))}
 

@@ -23,7 +23,7 @@ except ImportError:
     print("skipped: python3-yaml is not installed; see scripts/setup --readers")
     sys.exit(77)
 
-FIXTURES = pathlib.Path(__file__).resolve().parent.parent.parent / "fixtures/models"
+FIXTURES = pathlib.Path(__file__).resolve().parent.parent.parent / "build/fixtures/models"
 CLASSES = {"not-expressible", "not-requested", "ambiguous"}
 OPTIONS = {"default": [],
            "everything": ["--apply", "all", "--sensors", "gazebo", "--actuation", "ros2_control",

@@ -19,7 +19,7 @@ import xml.etree.ElementTree as ElementTree
 sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import cli  # noqa: E402
 
-ROOT = cli.FIXTURES.parent
+ROOT = cli.ROOT
 SCHEMA = ROOT.parent / "shared/sarif/sarif-schema-2.1.0.json"
 MULTITOOL = ROOT / "build/readers/node_modules/@microsoft/sarif-multitool-linux/Sarif.Multitool"
 URDF = '<robot name="a">\n  <link name="ä😀" vaule="1"/>\n</robot>\n'

@@ -17,7 +17,7 @@ import tempfile
 import time
 import unittest
 
-FIXTURES = pathlib.Path(__file__).resolve().parent.parent.parent / "fixtures"
+FIXTURES = pathlib.Path(__file__).resolve().parent.parent.parent / "build/fixtures"
 TOOLS = None
 NOBODY = 65534
 PADDING = "<!-- " + 40000 * "x" + " -->"

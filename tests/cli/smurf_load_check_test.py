@@ -455,7 +455,7 @@ class Options(LoadCheckTest):
             import jsonschema
         except ImportError:
             self.skipTest("python3-jsonschema is not installed")
-        schema = json.loads((cli.FIXTURES.parent / "schemas/load-report.schema.json").read_text())
+        schema = json.loads((cli.ROOT / "schemas/load-report.schema.json").read_text())
         self.write("scene.smurfs", "entities:\n- {name: A, file: bad.urdf, anchor: world}\n")
         self.write("broken.urdf", BALL.replace('radius="0.1"', 'radius="wide"'))
         report = self.report(1, ".")

@@ -19,7 +19,7 @@ import threading
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-FIXTURES = ROOT / "fixtures"
+FIXTURES = ROOT / "build/fixtures"
 TOOLS = None
 MESH = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\nendsolid a\n"
 WARNED = "smurfs:\n- {name: a, type: box, position: [0, 0, 0]}\n"

@@ -46,7 +46,7 @@ inline std::string link_to(const Rule& rule) {
 
 /// `name` is that of a file in docs/.
 inline void check_page(const std::string& name, const std::string& page) {
-  const std::filesystem::path path = std::filesystem::path(SMURF_FIXTURES) / ".." / "docs" / name;
+  const std::filesystem::path path = std::filesystem::path(SMURF_ROOT) / "docs" / name;
   if (std::getenv("SMURF_UPDATE_SNAPSHOTS") != nullptr) {
     std::ofstream(path, std::ios::binary) << page;
   }

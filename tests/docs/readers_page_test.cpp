@@ -83,7 +83,7 @@ std::string without_patch(const std::string& reader) {
 
 /// What the readers made of a robot with one of these defects.
 void write_disagreements(std::ostream& page) {
-  std::ifstream table(SMURF_FIXTURES "/../tests/verdicts/executed.tsv");
+  std::ifstream table(SMURF_ROOT "/tests/verdicts/executed.tsv");
   std::string line, versions;
   std::getline(table, line);
   std::getline(table, versions);

@@ -13,6 +13,7 @@
 #include "docs/page.hpp"
 #include "smurf/readers.hpp"
 #include "smurf/render.hpp"
+#include "support/expected_reports.hpp"
 
 namespace fs = std::filesystem;
 using namespace smurf;
@@ -62,8 +63,8 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-fs::path fixture_of(const Rule& rule) {
-  return fs::path(SMURF_FIXTURES) / "rules" / (std::string(rule.id) + "-" + std::string(rule.name));
+std::string fixture_of(const Rule& rule) {
+  return std::string(rule.id) + "-" + std::string(rule.name);
 }
 
 /// The first file that the finding names: " --> robot.urdf:20:19".
@@ -103,12 +104,12 @@ std::string new_lines(const std::string& bad, const std::string& good) {
 
 /// The first finding of the bad fixture, and the corresponding lines of the good one.
 std::string example_of(const Rule& rule) {
-  const fs::path folder = fixture_of(rule);
-  const std::string report = test::read_page(folder / "bad.expected.txt");
+  const std::string report = test::read_page(test::expected_report(fixture_of(rule)));
   if (report.empty()) return {};
   const std::string finding = report.substr(0, report.find("\n\n"));
   std::string text = "\n```text\n" + finding + "\n```\n";
   const std::string file = file_of(finding);
+  const fs::path folder = fs::path(SMURF_FIXTURES) / "rules" / fixture_of(rule);
   const std::string bad = test::read_page(folder / "bad" / file);
   const std::string good = test::read_page(folder / "good" / file);
   const std::string lines = new_lines(bad, good);

@@ -11,7 +11,7 @@ import struct
 import zipfile
 import zlib
 
-FIXTURES = pathlib.Path(__file__).resolve().parent.parent.parent / "fixtures"
+FIXTURES = pathlib.Path(__file__).resolve().parent.parent.parent / "build/fixtures"
 MANY = 100_000
 URDF = b'<robot name="r"><link name="a"/></robot>'
 MODEL = b"files: [r.urdf]\n"

@@ -11,7 +11,7 @@ import tempfile
 import unittest
 
 BIN = pathlib.Path(sys.argv[1]).absolute()
-FIXTURES = pathlib.Path(__file__).resolve().parents[2] / "fixtures/rules"
+FIXTURES = pathlib.Path(__file__).resolve().parents[2] / "build/fixtures/rules"
 MUTANTS = 60  # of each language
 MEMORY = 2 << 30  # of addresses; a program uses a tenth of it
 SECONDS = 20  # 2 s, on a machine that does nothing else

@@ -22,6 +22,7 @@ using namespace smurf::load_check;
 namespace {
 
 const fs::path kFixtures = fs::path(SMURF_FIXTURES) / "load-check";
+const fs::path kExpected = SMURF_ROOT "/fixtures/load-check";
 
 std::string read(const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
@@ -93,7 +94,7 @@ TEST_CASE("each rule of the load check: in its stage, at its place, alone") {
     for (const Diagnostic& diagnostic : bad.result.diagnostics) {
       CHECK_MESSAGE(diagnostic.rule->id == rule->id, bad.text());
     }
-    const fs::path expected = kFixtures / name / "bad.expected.txt";
+    const fs::path expected = kExpected / name / "bad.expected.txt";
     if (std::getenv("SMURF_UPDATE_SNAPSHOTS") != nullptr) {
       std::ofstream(expected, std::ios::binary) << bad.text();
     }

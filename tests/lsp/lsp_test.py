@@ -18,7 +18,7 @@ import client  # noqa: E402
 from client import apply, offset, path_of, text_in, uri  # noqa: E402
 
 TOOL = None
-FIXTURES = pathlib.Path(__file__).resolve().parent.parent.parent / "fixtures"
+FIXTURES = pathlib.Path(__file__).resolve().parent.parent.parent / "build/fixtures"
 ALL = {
     "general": {"positionEncodings": ["utf-16"]},
     "workspace": {"workspaceEdit": {"documentChanges": True, "resourceOperations": ["rename"]},

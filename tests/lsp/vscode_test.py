@@ -47,7 +47,7 @@ class Extension(unittest.TestCase):
 
     def test_problem_matcher(self):
         pattern = self.package["contributes"]["problemMatchers"][0]["pattern"]
-        model = ROOT / "fixtures/rules/SML3101-unknown-joint/bad/model.smurf"
+        model = ROOT / "build/fixtures/rules/SML3101-unknown-joint/bad/model.smurf"
         lines = subprocess.run([LINTER, "--format", "concise", "--quiet", model], capture_output=True, text=True,
                                check=False).stdout.splitlines()
         self.assertGreater(len(lines), 0)

@@ -20,7 +20,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support
 import formats  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-FIXTURES = ROOT / "fixtures"
+FIXTURES = ROOT / "build/fixtures"
 PRESETS = ("ros2", "gazebo", "mujoco", "drake")
 
 

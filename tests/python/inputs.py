@@ -5,6 +5,7 @@ import pathlib
 import subprocess
 
 BIN = pathlib.Path(os.environ["SMURF_BIN"])
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 FIXTURES = pathlib.Path(os.environ["SMURF_FIXTURES"])
 CORPUS = pathlib.Path(os.environ["SMURF_CORPUS"])
 ARM = FIXTURES / "models/arm/smurf/arm.smurf"

@@ -69,7 +69,7 @@ PARTS = ("limit", "dynamics", "mimic", "safety_controller", "calibration")
 
 def test_parts_of_joints():
     """Every attribute in the schema of the dump is a property."""
-    schema = json.loads((inputs.FIXTURES.parent / "schemas/model-dump.schema.json").read_text())
+    schema = json.loads((inputs.ROOT / "schemas/model-dump.schema.json").read_text())
     parts = {part: schema["definitions"]["joint"]["properties"][part]["properties"] for part in PARTS}
     written = "".join(f"<{part} " + " ".join(f'{name}="{i}"' for i, name in enumerate(names)) + "/>"
                       for part, names in parts.items())

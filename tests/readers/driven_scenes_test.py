@@ -18,7 +18,7 @@ sys.path[:0] = [str(HERE.parent / "cli"), str(HERE)]
 import cli  # noqa: E402
 import driven_scenes  # noqa: E402
 
-PYTHON = cli.FIXTURES.parent / "build/readers/python/bin/python"
+PYTHON = cli.ROOT / "build/readers/python/bin/python"
 SCENES = 300
 SEED = int(os.environ.get("SMURF_SEED", "0"))
 CORPUS = None

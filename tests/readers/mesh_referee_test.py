@@ -172,7 +172,7 @@ def main(lint, flatten, corpus="/nowhere"):
             print("skipped: trimesh of scripts/setup --python-readers is not installed")
             return SKIPPED
         return subprocess.run([PYTHON, __file__, lint, flatten, corpus, "--again"], check=False).returncode
-    folders = [ROOT / "fixtures", *(path for path in [pathlib.Path(corpus)] if path.is_dir())]
+    folders = [ROOT / "build/fixtures", *(path for path in [pathlib.Path(corpus)] if path.is_dir())]
     with tempfile.TemporaryDirectory() as temporary:
         folder = pathlib.Path(temporary).resolve()
         failures = compare_meshes(lint, flatten, folder, folders) + compare_gltf(flatten, folder)

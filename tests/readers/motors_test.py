@@ -9,7 +9,7 @@ import reader
 
 cli = reader.cli
 
-ROOT = cli.FIXTURES.parent
+ROOT = cli.ROOT
 PYTHON = ROOT / "build/readers/python/bin/python"
 DRIVE = ROOT / "tests/readers/mujoco_drive.py"
 CORPUS = ROOT.parent / "shared/corpus/urdf/Gepetto__example-robot-data"

@@ -18,7 +18,7 @@ import cli  # noqa: E402
 SCENES = {name: cli.FIXTURES / f"scenes/{path}.smurfs" for name, path in {
     "example": "example/example", "nested": "nested/outer", "showcase": "showcase/showcase",
 }.items()}
-NODE_MODULES = cli.FIXTURES.parent / "build/readers/node_modules"
+NODE_MODULES = cli.ROOT / "build/readers/node_modules"
 BUILD = pathlib.Path(sys.argv[2]).resolve() if len(sys.argv) > 2 else pathlib.Path()
 
 

@@ -12,7 +12,7 @@ import xml.etree.ElementTree as ElementTree
 import reader
 from usd_stage import Stage
 
-PYTHON = reader.cli.FIXTURES.parent / "build/readers/python/bin/python"
+PYTHON = reader.cli.ROOT / "build/readers/python/bin/python"
 BODY = '<inertial><mass value="1"/><inertia ixx="0.01" iyy="0.01" izz="0.01" ixy="0" ixz="0" iyz="0"/></inertial>'
 BOX = '<collision name="{0}_box"><geometry><box size="0.5 0.5 0.5"/></geometry></collision>'
 

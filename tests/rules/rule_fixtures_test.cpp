@@ -16,6 +16,7 @@
 #include "smurf/fix.hpp"
 #include "smurf/lint.hpp"
 #include "smurf/render.hpp"
+#include "support/expected_reports.hpp"
 
 namespace fs = std::filesystem;
 using namespace smurf;
@@ -147,7 +148,7 @@ TEST_CASE("bad fixtures raise their rule and nothing else, good ones nothing") {
       const std::string shown = render_full(diagnostic, bad.sources, {});
       CHECK_MESSAGE(shown.find("= help: ") != std::string::npos, "no next step:\n" << shown);
     }
-    check_snapshot(folder / "bad.expected.txt", bad.text());
+    check_snapshot(test::expected_report(folder_name(*rule)), bad.text());
     const Case good(folder / "good", selection);
     CHECK_MESSAGE(good.diagnostics.empty(), good.text());
   }

@@ -19,7 +19,7 @@ from robot import Element
 
 # Everything here is damaged in every way; similar parts elsewhere get a selection of the damages.
 THOROUGH = {"link.arm", "joint.shoulder", "material.red"}
-DRAKE_ROBOT = pathlib.Path(__file__).resolve().parent.parent.parent / "fixtures/rules/SML1450-drake-element/good/robot.urdf"
+DRAKE_ROBOT = pathlib.Path(__file__).resolve().parent.parent.parent / "build/fixtures/rules/SML1450-drake-element/good/robot.urdf"
 LIKE_OTHERS = {"link.slide", "link.wheel", "link.finger", "joint.knuckle", "material.grey"}
 SHAPES = {
     "box": [Element("box", [("size", "0.2 0.3 0.6")])],

@@ -15,7 +15,7 @@ import threading
 
 from built import skip_without
 
-FIXTURES = pathlib.Path(__file__).resolve().parent.parent.parent / "fixtures"
+FIXTURES = pathlib.Path(__file__).resolve().parent.parent.parent / "build/fixtures"
 TIME = 1200  # s
 PAGE = """<!doctype html><script type="module">
 const results = [];

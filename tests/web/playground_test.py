@@ -24,7 +24,7 @@ from browser import cli, reader
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "wasm"))
 import built  # noqa: E402
 
-ROOT = cli.FIXTURES.parent
+ROOT = cli.ROOT
 PAGE = "window.smurfPlayground"
 CHECKED = {"until": f"{PAGE}.checker.checked === {PAGE}.files.all && !{PAGE}.checker.isChecking"}
 FINDINGS = f"{PAGE}.checker.page.report.diagnostics.map(({{ id, severity, file, line, column, edits }}) =>" \

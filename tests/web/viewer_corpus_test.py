@@ -10,7 +10,7 @@ import unittest
 import viewer
 from viewer import READ, cli, set_positions
 
-CORPUS = cli.FIXTURES.parent.parent / "shared/corpus"
+CORPUS = cli.ROOT.parent / "shared/corpus"
 SMALL = {"width": 320, "height": 240}
 
 

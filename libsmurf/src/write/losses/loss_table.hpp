@@ -25,6 +25,7 @@ inline std::size_t to_size(SceneColumn column) { return static_cast<std::size_t>
 enum class ThingOf : std::uint8_t {
   urdf,        ///< a format that refers to the URDF keeps it
   annotation,  ///< those of a model are counted in one finding
+  setting,     ///< the same for keys of annotations that are kept
   scene
 };
 
@@ -33,7 +34,7 @@ struct FoundThing {
   std::string name;
 };
 
-/// The first word of a cell: what a format does with a thing.
+/// What a format does with a thing.
 enum class Fate : std::uint8_t {
   kept,
   partly,  ///< kept, except for the things found
@@ -41,6 +42,11 @@ enum class Fate : std::uint8_t {
   lost,
   added,  ///< the format needs a value that is not in the source: not a loss
   shown   ///< a preview shows shapes only; reported once per model
+};
+
+struct Cell {
+  Fate fate = Fate::kept;
+  std::string_view reason;  ///< how, why, or which part is kept; "" if there is no more to say
 };
 
 /// Settings of scene files; each loss is reported at its place.
@@ -70,23 +76,16 @@ struct SceneThing {
   std::string_view title;  ///< plural: "effort limits"; of an annotation singular: "motor"
   ThingOf of = ThingOf::urdf;
   /// Finds the things in a model, or in a scene, that are not kept. Called if the cell is not
-  /// "kept". If all are null, the writers report the loss themselves.
+  /// `kept`. If all are null, the writers report the loss themselves.
   std::vector<FoundThing> (*in_model)(const LinkedModel& model, SceneColumn column) = nullptr;
   /// The same for what depends on the motors that the caller asks for.
   std::vector<FoundThing> (*in_motors)(const LinkedModel& model, SceneColumn column,
                                        const MotorOptions& motors) = nullptr;
   std::vector<FoundThing> (*in_scene)(const SceneExport& scene, SceneColumn column) = nullptr;
   WorldSetting setting = WorldSetting::none;
-  /// By column: "kept", or "kept: how", "partly: what", "changed: how", "lost: why", "added: what",
-  /// "shown".
-  std::array<std::string_view, kSceneColumns> cells{};
+  std::array<Cell, kSceneColumns> cells{};  ///< by column
 };
 
 std::span<const SceneThing> scene_things();
-
-/// By the first word of a cell.
-Fate fate_of(std::string_view cell);
-/// The text after the colon; "" if there is none.
-std::string_view reason_of(std::string_view cell);
 
 }  // namespace smurf

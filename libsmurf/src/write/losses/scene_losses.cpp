@@ -169,7 +169,7 @@ void SceneLosses::of_model(const LinkedModel& model) {
   const bool is_named = is_referred_to(model);
   const SceneColumn column = is_named ? SceneColumn::dmd : column_;
   for (const SceneThing& thing : scene_things()) {
-    const Fate fate = fate_of(thing.cells[to_size(column)]);
+    const Fate fate = thing.cells[to_size(column)].fate;
     const bool is_searched = thing.in_model != nullptr || thing.in_motors != nullptr;
     if (fate == Fate::kept || !is_searched) continue;
     if (thing.of == ThingOf::urdf && is_named && column_ != SceneColumn::dmd) continue;
@@ -177,9 +177,9 @@ void SceneLosses::of_model(const LinkedModel& model) {
                                               ? thing.in_model(model, column)
                                               : thing.in_motors(model, column, scene_.motors);
     if (found.empty()) continue;
-    if (thing.of == ThingOf::annotation) {
-      const bool is_of_kept = thing.title.ends_with("setting");
-      add(is_of_kept ? settings : annotations, counted(found.size(), thing.title));
+    if (thing.of == ThingOf::annotation || thing.of == ThingOf::setting) {
+      add(thing.of == ThingOf::setting ? settings : annotations,
+          counted(found.size(), thing.title));
     } else if (fate == Fate::shown) {
       add(shown, std::string(thing.title));
       if (!first) first = found.front().span;
@@ -205,16 +205,16 @@ void SceneLosses::of_model(const LinkedModel& model) {
 
 void SceneLosses::report(const SceneThing& thing, const std::vector<FoundThing>& found) {
   if (found.empty()) return;
-  const std::string_view cell = thing.cells[to_size(column_)];
+  const Cell& cell = thing.cells[to_size(column_)];
   const std::string what = std::string(thing.title) + " (" + list(found) + ")";
-  // A cell "partly" states the kept part, which is not the reason for the loss.
-  const bool has_reason = !reason_of(cell).empty() && fate_of(cell) != Fate::partly;
-  const std::string reason = has_reason ? ": " + std::string(reason_of(cell)) : "";
+  // A cell `partly` states the kept part, which is not the reason for the loss.
+  const bool has_reason = !cell.reason.empty() && cell.fate != Fate::partly;
+  const std::string reason = has_reason ? ": " + std::string(cell.reason) : "";
   const Span span = found.front().span;
-  switch (fate_of(cell)) {
+  switch (cell.fate) {
   case Fate::added:
     scene_.losses.report(rules::sml8212_chosen_value, span,
-                         what + ": the " + format_ + " has " + std::string(reason_of(cell)));
+                         what + ": the " + format_ + " has " + std::string(cell.reason));
     return;
   case Fate::changed:
     scene_.losses.report(rules::sml8211_lost_part, span,
@@ -242,7 +242,7 @@ void SceneLosses::unknown_entities() {
 }
 
 void SceneLosses::of_scene(const SceneThing& thing) {
-  const Fate fate = fate_of(thing.cells[to_size(column_)]);
+  const Fate fate = thing.cells[to_size(column_)].fate;
   if (fate == Fate::kept || fate == Fate::shown) return;
   if (thing.in_scene != nullptr) report(thing, thing.in_scene(scene_, column_));
   for (const SceneFile& file : scene_.scene.scenes) report_setting(thing.setting, file);
