@@ -70,7 +70,7 @@ def main():
     tool = str(pathlib.Path(sys.argv[1]).resolve())
     shared = pathlib.Path(sys.argv[2])
     chance = random.Random(4213)
-    sources = [OWN] + [p.read_text() for p in sorted(FIXTURES.glob("rules/SML42*/good/launch/*.py"))]
+    sources = [OWN] + [p.read_text() for p in sorted(FIXTURES.glob("rules/**/SML42*/good/launch/*.py"))]
     others = sorted(shared.glob("workspaces/*/**/*.launch.py")) if shared.is_dir() else []
     if not others:
         print(f"{shared}: no workspaces there; own launch files only")
