@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <iterator>
+
 #include "base/files/path.hpp"
 #include "base/findings/readers.hpp"
 #include "base/text/edits.hpp"
@@ -28,7 +31,10 @@ void check(const LinkedScene& scene, Findings& findings) {
         findings.report(place, "the type of " + title(entity) + " is " + quoted(type) +
                                    ", which MARS does not know");
     diagnostic.help("did you mean " + quoted(*near) + "?");
-    if (is_written && fits_everywhere(*near)) {
+    // A plug-in for a type of Phobos may be missing as well, which is then said.
+    const bool is_of_mars = std::find(std::begin(kPhobosTypes), std::end(kPhobosTypes), *near) ==
+                            std::end(kPhobosTypes);
+    if (is_written && is_of_mars && fits_everywhere(*near)) {
       diagnostic.fixes.push_back({Applicability::unsafe, {{place, std::string(*near)}}});
     }
   });
