@@ -242,7 +242,7 @@ class MjcfWriter : MjcfLoops {
     for (const JointChain::Part& part : joints) moves = add_joint(i, model, part) || moves;
     const urdf::Link& written = model.robot->links[link];
     if (moves && (inertial_of(written) || !carries_mass(model, link))) {
-      const ChosenMass mass = link_mass(model, written);
+      const ChosenMass mass = link_mass(scene_, model, written);
       if (!mass.chosen.empty()) losses_.note(mass.chosen, written.span, link_name(model, link));
       add_inertial(mass.mass, moves, written.span, link_name(model, link));
     } else if (const auto mass = inertial_of(written)) {
@@ -494,6 +494,7 @@ extern constinit const SceneFormat scene_mjcf{
     .has_neighbours = true,
     .welds_links = true,
     .usual_contacts = SelfCollision::srdf,
+    .has_collisions = true,
     .fixes_world_roots = true,
     .repeated_parts = repeated_parts};
 

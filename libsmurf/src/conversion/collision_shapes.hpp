@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The shapes that replace a collision mesh: its hull, convex parts, a box or a capsule.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "mesh/convex_mesh.hpp"
+#include "smurf/conversion.hpp"
+
+namespace smurf {
+
+/// One of the shapes that replace a mesh.
+struct NewShape {
+  std::string file;     ///< of a mesh, relative to the output folder; "": it is no mesh
+  std::string element;  ///< that says it in a URDF, if it is no mesh
+  Pose X_CS;            ///< in the frame of the collision
+  bool is_moved = false;
+  std::string ending;  ///< of its name: "", "_part_2", "_top"
+};
+
+/// All of them.
+struct NewShapes {
+  std::vector<NewShape> shapes;  ///< empty: the mesh is kept
+  std::vector<TextFile> files;   ///< the new meshes, relative to the output folder
+  ReplacedCollision about;
+};
+
+/// A mesh in the size and the frame of its collision, which has the scale of the URDF already.
+struct CollisionBody {
+  std::vector<Vector3> points;         ///< m
+  std::vector<std::uint32_t> indices;  ///< three per triangle
+};
+
+class CollisionShaper {
+ public:
+  CollisionShaper(const CollisionRequest& request, const FileReader& files, const Limits& limits)
+      : request_(request), files_(files), limits_(limits) {}
+
+  /// The shapes for a mesh file. `volume` of the scaled mesh, if it is known, in m^3. Without
+  /// `has_capsules`, a capsule is a cylinder and two balls.
+  NewShapes make(const MeshReference& mesh, const Vector3& scale, CollisionShapes shapes,
+                 std::optional<double> volume, bool has_capsules);
+  /// Why no mesh can have the shapes that were asked for; "" if some can.
+  const std::string& problem() const { return problem_; }
+
+ private:
+  std::string new_file(const MeshReference& mesh, const std::string& ending);
+  void add_mesh(const MeshReference& mesh, const ConvexMesh& hull, const std::string& ending,
+                const std::string& name_ending, NewShapes& made);
+  std::vector<ConvexMesh> parts_of(const CollisionBody& body, const ConvexMesh& hull,
+                                   std::optional<double> volume, std::string& kept);
+
+  const CollisionRequest& request_;
+  const FileReader& files_;
+  const Limits& limits_;
+  std::set<std::string> names_;  ///< of new files, in lower case
+  std::string problem_;
+};
+
+}  // namespace smurf
