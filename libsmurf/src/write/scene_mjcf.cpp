@@ -382,8 +382,7 @@ class MjcfWriter : MjcfLoops {
     bool is_open = false;
     const auto exclude = [&](const std::string& body, const std::string& other) {
       if (!done.insert(std::minmax(body, other)).second) return true;
-      if (!is_open) xml_.open("contact");
-      is_open = true;
+      if (!std::exchange(is_open, true)) xml_.open("contact");
       xml_.empty("exclude", {{"body1", body}, {"body2", other}});
       return !xml_.is_full();
     };
