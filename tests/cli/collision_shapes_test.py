@@ -362,7 +362,7 @@ class CollisionShapesTest(cli.CliTest):
 
     def test_the_time_is_told_before(self):
         done = self.convert(self.flatten, "--collision", "parts", "-o", "out.sdf")
-        self.assertIn("dividing 4 meshes into convex parts may take 1 minute", done.stderr.splitlines()[0])
+        self.assertIn("dividing up to 4 meshes into convex parts may take 1 minute", done.stderr.splitlines()[0])
         done = self.convert(self.flatten, "--collision", "parts", "-o", "out.sdf", "--quiet")
         self.assertEqual(done.stderr, "")
 

@@ -141,6 +141,7 @@ std::vector<ConvexMesh> CollisionShaper::parts_of(const CollisionBody& body, con
                                                   std::optional<double> volume, std::string& kept) {
   // A mesh that is as convex as the parts may be is its hull.
   if (volume && hull.volume <= *volume * (1 + kEnough / 2)) return {hull};
+  if (const auto tell = std::exchange(tell_, nullptr)) tell();
   std::vector<ConvexMesh> best;
   double best_gain = HUGE_VAL;
   for (const double concavity : kConcavities) {

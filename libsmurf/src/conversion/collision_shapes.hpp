@@ -3,10 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
+#include <functional>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mesh/convex_mesh.hpp"
@@ -41,6 +42,8 @@ class CollisionShaper {
   CollisionShaper(const CollisionRequest& request, const FileReader& files, const Limits& limits)
       : request_(request), files_(files), limits_(limits) {}
 
+  /// Called once, before the first mesh is divided.
+  void before_dividing(std::function<void()> tell) { tell_ = std::move(tell); }
   /// The shapes for a mesh file. `volume` of the scaled mesh, if it is known, in m^3. Without
   /// `has_capsules`, a capsule is a cylinder and two balls.
   NewShapes make(const MeshReference& mesh, const Vector3& scale, CollisionShapes shapes,
@@ -60,6 +63,7 @@ class CollisionShaper {
   const Limits& limits_;
   std::set<std::string> names_;  ///< of new files, in lower case
   std::string problem_;
+  std::function<void()> tell_;
 };
 
 }  // namespace smurf

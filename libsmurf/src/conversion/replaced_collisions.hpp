@@ -59,7 +59,7 @@ class ReplacedCollisions {
     CollisionShapes shapes = CollisionShapes::keep;
     std::optional<double> volume;
     bool names_meshes = true;  ///< by their files
-  bool has_capsules = true;
+    bool has_capsules = true;
     std::size_t uses = 0;
     NewShapes made;
   };
