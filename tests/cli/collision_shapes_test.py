@@ -28,7 +28,7 @@ COACD = '''
 import os, signal
 class Mesh:
     pass
-def run_coacd(mesh, threshold, max_convex_hull, seed):
+def run_coacd(mesh, threshold, max_convex_hull, seed, preprocess_mode):
     print("a line on standard output")
     mode = os.environ.get("FAKE_COACD", "")
     if mode == "fails": raise RuntimeError("no")

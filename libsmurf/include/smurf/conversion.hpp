@@ -74,7 +74,8 @@ struct DividedMesh {
   std::vector<Vector3> points;         ///< m
   std::vector<std::uint32_t> indices;  ///< three per triangle, which turns left, seen from outside
   std::size_t most_parts = 0;
-  double concavity = 0;  ///< the deepest dent of a part, as a part of the size of the mesh
+  double concavity = 0;    ///< the deepest dent of a part, as a part of the size of the mesh
+  bool is_closed = false;  ///< it encloses a volume, and need not be repaired before
 };
 /// Points whose convex hulls are the parts of a mesh.
 struct ConvexParts {

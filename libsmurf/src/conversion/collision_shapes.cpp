@@ -22,21 +22,8 @@ constexpr std::size_t kMostParts = 32;
 constexpr double kEnough = 0.05;
 /// Of CoACD, the coarsest first; 0.05 is its default.
 constexpr double kConcavities[] = {0.05, 0.02, 0.01};
-/// A finer division that is not better by this factor is not followed by a still finer one: the
-/// gap is a hollow without an opening.
+/// A finer division that is not better by this factor is not followed by a still finer one.
 constexpr double kBetter = 0.8;
-
-CollisionBody body_of(const MeshTriangles& mesh, const Vector3& scale) {
-  CollisionBody body;
-  body.points.reserve(mesh.points.size());
-  for (const auto& [x, y, z] : mesh.points)
-    body.points.push_back({x * scale[0], y * scale[1], z * scale[2]});
-  body.indices = mesh.indices;
-  const bool is_mirrored = scale[0] * scale[1] * scale[2] < 0;
-  for (std::size_t i = 0; is_mirrored && i + 2 < body.indices.size(); i += 3)
-    std::swap(body.indices[i + 1], body.indices[i + 2]);
-  return body;
-}
 
 std::string obj_of(const ConvexMesh& mesh) {
   std::string text;
@@ -139,13 +126,47 @@ void CollisionShaper::add_mesh(const MeshReference& mesh, const ConvexMesh& hull
 
 std::vector<ConvexMesh> CollisionShaper::parts_of(const CollisionBody& body, const ConvexMesh& hull,
                                                   std::optional<double> volume, std::string& kept) {
+  std::vector<BodyPiece> pieces = volume ? closed_pieces(body) : std::vector<BodyPiece>();
+  const bool is_closed = !pieces.empty();
+  // As one, CoACD would make voxels of several surfaces, in which thin walls become thick.
+  if (pieces.size() < 2 || pieces.size() > kMostParts / 2)
+    return divided(body, hull, volume, is_closed, kMostParts, kept);
+  std::vector<ConvexMesh> hulls;
+  double gaps = 0;
+  for (const BodyPiece& piece : pieces) {
+    std::optional<ConvexMesh> around = convex_mesh(piece.body.points);
+    if (!around) return divided(body, hull, volume, is_closed, kMostParts, kept);
+    gaps += std::max(0.0, around->volume - piece.volume);
+    hulls.push_back(std::move(*around));
+  }
+  std::vector<ConvexMesh> parts;
+  const auto spare = static_cast<double>(kMostParts - pieces.size());
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const double share = gaps > 0 ? std::max(0.0, hulls[i].volume - pieces[i].volume) / gaps : 0;
+    const auto most = 1 + static_cast<std::size_t>(spare * share);
+    std::vector<ConvexMesh> some{hulls[i]};
+    if (most > 1) some = divided(pieces[i].body, hulls[i], pieces[i].volume, true, most, kept);
+    if (some.empty()) return {};
+    for (ConvexMesh& part : some) parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+std::vector<ConvexMesh> CollisionShaper::divided(const CollisionBody& body, const ConvexMesh& hull,
+                                                 std::optional<double> volume, bool is_closed,
+                                                 std::size_t most_parts, std::string& kept) {
   // A mesh that is as convex as the parts may be is its hull.
   if (volume && hull.volume <= *volume * (1 + kEnough / 2)) return {hull};
   if (const auto tell = std::exchange(tell_, nullptr)) tell();
   std::vector<ConvexMesh> best;
   double best_gain = HUGE_VAL;
   for (const double concavity : kConcavities) {
-    const ConvexParts found = request_.divide({body.points, body.indices, kMostParts, concavity});
+    DividedMesh wanted{body.points, body.indices, most_parts, concavity, is_closed};
+    ConvexParts found = request_.divide(wanted);
+    if (!found.problem.empty() && !found.is_for_no_mesh && wanted.is_closed) {
+      wanted.is_closed = false;
+      found = request_.divide(wanted);
+    }
     if (!found.problem.empty()) {
       if (!best.empty()) break;
       (found.is_for_no_mesh ? problem_ : kept) = found.problem;
@@ -162,7 +183,7 @@ std::vector<ConvexMesh> CollisionShaper::parts_of(const CollisionBody& body, con
       best = std::move(parts);
       best_gain = gain;
     }
-    if (!is_better || best_gain <= kEnough || best.size() >= kMostParts) break;
+    if (!is_better || best_gain <= kEnough || best.size() >= most_parts) break;
   }
   if (best.empty()) kept = "CoACD finds no part with a volume";
   return best;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "conversion/mesh_pieces.hpp"
 #include "mesh/convex_mesh.hpp"
 #include "smurf/conversion.hpp"
 
@@ -31,12 +32,6 @@ struct NewShapes {
   ReplacedCollision about;
 };
 
-/// A mesh in the size and the frame of its collision, which has the scale of the URDF already.
-struct CollisionBody {
-  std::vector<Vector3> points;         ///< m
-  std::vector<std::uint32_t> indices;  ///< three per triangle
-};
-
 class CollisionShaper {
  public:
   CollisionShaper(const CollisionRequest& request, const FileReader& files, const Limits& limits)
@@ -55,8 +50,14 @@ class CollisionShaper {
   std::string new_file(const MeshReference& mesh, const std::string& ending);
   void add_mesh(const MeshReference& mesh, const ConvexMesh& hull, const std::string& ending,
                 const std::string& name_ending, NewShapes& made);
+  /// The convex parts of a mesh with this hull; empty, with the reason in `kept`, if there are
+  /// none.
   std::vector<ConvexMesh> parts_of(const CollisionBody& body, const ConvexMesh& hull,
                                    std::optional<double> volume, std::string& kept);
+  /// The same for one closed surface, or for an open mesh, whose volume is not known.
+  std::vector<ConvexMesh> divided(const CollisionBody& body, const ConvexMesh& hull,
+                                  std::optional<double> volume, bool is_closed,
+                                  std::size_t most_parts, std::string& kept);
 
   const CollisionRequest& request_;
   const FileReader& files_;

@@ -19,7 +19,7 @@ import os, sys
 out = os.fdopen(os.dup(1), "w")
 os.dup2(2, 1)
 words = sys.stdin.buffer.read().split()
-seconds, most, points, triangles = (int(word) for word in words[:4])
+seconds, most, points, triangles, closed = (int(word) for word in words[:5])
 if seconds:
     import resource
     resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
@@ -30,9 +30,10 @@ except ImportError:
 def rows(begin, count, kind):
     return [[kind(word) for word in words[i:i + 3]] for i in range(begin, begin + 3 * count, 3)]
 mesh = coacd.Mesh()
-mesh.vertices = rows(5, points, float)
-mesh.indices = rows(5 + 3 * points, triangles, int)
-parts = coacd.run_coacd(mesh, threshold=float(words[4]), max_convex_hull=most, seed=0)
+mesh.vertices = rows(6, points, float)
+mesh.indices = rows(6 + 3 * points, triangles, int)
+parts = coacd.run_coacd(mesh, threshold=float(words[5]), max_convex_hull=most, seed=0,
+                        preprocess_mode="off" if closed else "auto")
 print(len(parts), file=out)
 for corners, _ in parts:
     print(len(corners), *(repr(float(x)) for corner in corners for x in corner), file=out)
@@ -42,8 +43,8 @@ out.flush()
 std::string text_of(const DividedMesh& mesh, std::uint64_t seconds) {
   std::string text = std::to_string(seconds) + ' ' + std::to_string(mesh.most_parts) + ' ' +
                      std::to_string(mesh.points.size()) + ' ' +
-                     std::to_string(mesh.indices.size() / 3) + ' ' + format_number(mesh.concavity) +
-                     '\n';
+                     std::to_string(mesh.indices.size() / 3) + (mesh.is_closed ? " 1 " : " 0 ") +
+                     format_number(mesh.concavity) + '\n';
   for (const Vector3& point : mesh.points) {
     for (const double x : point) text += format_number(x) + ' ';
   }
