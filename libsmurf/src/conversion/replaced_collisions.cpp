@@ -169,7 +169,7 @@ Refusal ReplacedCollisions::make_shapes() {
   CollisionShaper shaper(request_, session_.files(), session_.limits());
   if (request_.tell) {
     shaper.before_dividing([&] {
-      // Measured on 26 meshes with two processors: 6 s for half of them, 50 s for the slowest.
+      // Measured on 25 meshes with two processors: 4 s for half of them, 76 s for the slowest.
       constexpr std::size_t kSeconds = 15;
       const std::size_t minutes = (divided * kSeconds + 59) / 60;
       request_.tell("dividing up to " + counted(divided, "mesh", "meshes") +
