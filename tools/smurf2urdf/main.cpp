@@ -7,6 +7,7 @@
 #include "base/numbers/numbers.hpp"
 #include "base/text/counted.hpp"
 #include "common/cli/process.hpp"
+#include "common/convert/collision_options.hpp"
 #include "common/convert/converter.hpp"
 #include "smurf/conversion.hpp"
 #include "smurf/result_losses.hpp"
@@ -45,28 +46,26 @@ bool write_result(const ExportOptions& options, const UrdfResult& result,
                   const LinkedModel& model) {
   const std::string& output = options.common.output;
   const std::string& urdf = result.text;
-  if (!result.meshes.empty()) {
-    std::vector<OutputFile> meshes;
-    for (const TextFile& mesh : result.meshes) {
-      meshes.push_back(
-          {.folder = options.conversion.output_folder, .path = mesh.path, .text = mesh.text});
-    }
-    if (!write_files(kTool, meshes, true)) return false;
-  }
-  if (options.srdf.empty()) return write_output(kTool, output, urdf);
-  const std::uint64_t most = options.common.limits.srdf_bytes;
-  auto srdf = export_srdf(model, options.conversion.prefix, most);
-  if (!srdf) {
-    complain(kTool, "so many pairs of links of '" + options.model +
-                        "' never collide that the SRDF would have more than " +
-                        std::to_string(most) + " bytes; " + raise_limit("srdf-bytes") +
-                        "; nothing was written");
-    return false;
-  }
-  std::vector<OutputFile> files = {named_by_user(options.srdf, std::move(*srdf))};
   const bool to_stdout = output.empty() || output == "-";
-  if (!to_stdout) files.push_back(named_by_user(output, urdf));
-  return write_files(kTool, files, true) && (!to_stdout || write_output(kTool, output, urdf));
+  std::vector<OutputFile> files = output_files(options.conversion.output_folder, result.meshes);
+  for (OutputFile& mesh : output_files(options.conversion.output_folder, result.new_meshes))
+    files.push_back(std::move(mesh));
+  std::optional<std::string> srdf;
+  if (!options.srdf.empty()) {
+    const std::uint64_t most = options.common.limits.srdf_bytes;
+    srdf = export_srdf(model, options.conversion.prefix, most);
+    if (!srdf) {
+      complain(kTool, "so many pairs of links of '" + options.model +
+                          "' never collide that the SRDF would have more than " +
+                          std::to_string(most) + " bytes; " + raise_limit("srdf-bytes") +
+                          "; nothing was written");
+      return false;
+    }
+    files.push_back(named_by_user(options.srdf, *srdf));
+    if (!to_stdout) files.push_back(named_by_user(output, urdf));
+  }
+  const auto write = [&] { return (srdf && !to_stdout) || write_output(kTool, output, urdf); };
+  return write_files(kTool, files, true, write);
 }
 
 bool is_file(const std::string& output) { return !output.empty() && output != "-"; }
@@ -120,6 +119,7 @@ int smurf2urdf_main(int argc, char** argv) {
   const auto current = current_folder(kTool);
   if (!current) return kFailed;
   options.conversion.current_folder = *current;
+  complete(options.collisions, kTool, options.common);
 
   Conversion conversion(kTool, options.common, {InputKind::model, InputKind::urdf});
   if (xacro::is_xacro_file(options.model) && is_plain(options)) {
@@ -139,7 +139,8 @@ int smurf2urdf_main(int argc, char** argv) {
                                              .referees = all_referees(),
                                              .reader = options.reader,
                                              .mesh_folder = mesh_folder(options.common.output),
-                                             .file_name = file_name(options.common.output)});
+                                             .file_name = file_name(options.common.output),
+                                             .collisions = options.collisions});
   const ExitCode verdict = conversion.report(result.report, [&](const Diagnostic& finding) {
     return loss_in_urdf(finding, model, wanted);
   });
@@ -166,7 +167,9 @@ int smurf2urdf_main(int argc, char** argv) {
     lost = "not in it: " + lost;
     if (options.loss_report.empty()) lost += ", see --loss-report";
   }
-  std::vector<std::string> remarks;
+  std::vector<std::string> remarks =
+      remarks_on(result.collisions, result.new_meshes.size(),
+                 path::join(wanted.output_folder, options.collisions.folder));
   if (!lost.empty()) remarks.push_back(lost);
   if (!result.meshes.empty()) {
     remarks.push_back("copied as OBJ: " + counted(copied_meshes(result), "mesh", "meshes") +

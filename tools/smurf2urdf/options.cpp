@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/files/path.hpp"
+#include "common/convert/collision_options.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -257,6 +258,7 @@ Command make_command(ExportOptions& options) {
                                                       "'-', to standard output.");
   add(command, "Conversion", run_options(options));
   add(command, "Content", content_options(options.conversion));
+  add(command, "Content", {collision_option(options.collisions)});
   add(command, "Form", form_options(options.conversion));
   command.set_operand = take_one_operand(options.model, options.common.xacro);
   command.examples = {
@@ -280,7 +282,8 @@ bool is_plain(const ExportOptions& options) {
   return !has_changes && wanted.mesh_uri == MeshUri::rebase &&
          wanted.actuation == Actuation::none && wanted.prefix.empty() &&
          wanted.base == BaseJoint::as_is && wanted.version.empty() && options.srdf.empty() &&
-         options.loss_report.empty() && !options.prove && !options.fails_on_loss;
+         options.loss_report.empty() && !options.prove && !options.fails_on_loss &&
+         !options.collisions.changes_something();
 }
 
 std::string problem_of(ExportOptions& options) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "common/convert/converter.hpp"
+#include "smurf/conversion.hpp"
 #include "smurf/convert.hpp"
 
 namespace smurf::tools {
@@ -13,6 +14,7 @@ struct ExportOptions {
   ConverterOptions common;
   std::string model;
   UrdfExport conversion;
+  CollisionRequest collisions;
   const Reader* reader = nullptr;  ///< that the result is for
   std::string srdf;
   std::string loss_report;

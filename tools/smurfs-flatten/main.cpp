@@ -8,6 +8,7 @@
 #include "common/cli/browser.hpp"
 #include "common/cli/process.hpp"
 #include "common/cli/shared_options.hpp"
+#include "common/convert/collision_options.hpp"
 #include "common/convert/converter.hpp"
 #include "common/convert/copy_files.hpp"
 #include "common/files/file_set.hpp"
@@ -42,6 +43,7 @@ struct Options {
   std::string motors_help;
   SelfCollision self_collision = SelfCollision::as_usual;
   bool excludes_overlaps = false;
+  CollisionRequest collisions;
   std::string srdf;
   std::string controllers;
   bool compare_dialects = false;
@@ -123,6 +125,7 @@ void add_options(Command& command, Options& options) {
        contact_options(options.self_collision, options.srdf, options.excludes_overlaps)) {
     add(std::move(option));
   }
+  add(collision_option(options.collisions));
   add({.name = "links",
        .help = "Write the world pose of every link as well.",
        .set = set_flag(options.links)});
@@ -310,7 +313,8 @@ SceneRequest request_of(const Options& options, const SceneFormat& format, Scene
                        .current_folder = current,
                        .model_folder = model_folder(options.common.output),
                        .packages = options.common.packages,
-                       .force = options.common.force};
+                       .force = options.common.force,
+                       .collisions = options.collisions};
   if (!options.base.empty()) {
     request.base = options.base == "fixed" ? BaseChoice::fixed : BaseChoice::floating;
   }
@@ -328,11 +332,15 @@ bool asks_for_link_pairs(const Options& options) {
 }
 
 /// What the reader of the written file needs besides it, and what it loses.
-std::vector<std::string> remarks_on(const SceneFormat& format, const std::string& output,
+std::vector<std::string> remarks_on(const SceneFormat& format, const Options& options,
                                     const SceneResult& result) {
-  std::vector<std::string> remarks;
+  const std::string& output = options.common.output;
   const std::string title(format.reader != nullptr ? format.reader->title : "");
-  if (!result.models.empty()) {
+  const bool replaces = options.collisions.changes_something();
+  std::vector<std::string> remarks =
+      smurf::tools::remarks_on(result.collisions, result.new_meshes.size(),
+                               path::join(path::parent(output), options.collisions.folder));
+  if (!result.models.empty() && !replaces) {
     const auto count_of = [&](std::string_view extension) {
       return static_cast<std::size_t>(
           std::count_if(result.models.begin(), result.models.end(), [&](const TextFile& file) {
@@ -357,6 +365,14 @@ std::vector<std::string> remarks_on(const SceneFormat& format, const std::string
   return remarks;
 }
 
+/// The models and meshes that are made for the result.
+std::vector<OutputFile> made_files(const Options& options, const SceneResult& result) {
+  std::vector<OutputFile> files = output_files(output_folder(options), result.models);
+  for (OutputFile& mesh : output_files(output_folder(options), result.new_meshes))
+    files.push_back(std::move(mesh));
+  return files;
+}
+
 /// Writes the result and its copies, says so, and opens the page.
 ExitCode write_result(const Conversion& conversion, const LoadedScene& loaded,
                       const Options& options, const SceneFormat& format,
@@ -369,24 +385,18 @@ ExitCode write_result(const Conversion& conversion, const LoadedScene& loaded,
     output = write_temporary_page(kTool, "scene", result.text);
     return !output.empty();
   };
-  if (!result.models.empty()) {
-    std::vector<OutputFile> models;
-    for (const TextFile& file : result.models) {
-      models.push_back({.folder = output_folder(options), .path = file.path, .text = file.text});
-    }
-    if (!write_files(kTool, models, true)) return kFailed;
-  }
-  if (!copy_files(kTool, result.copies, conversion.files(), options.common.limits,
-                  options.overwrite, write)) {
-    return kFailed;
-  }
+  const auto copy = [&] {
+    return copy_files(kTool, result.copies, conversion.files(), options.common.limits,
+                      options.overwrite, write);
+  };
+  if (!write_files(kTool, made_files(options, result), true, copy)) return kFailed;
   if (output.empty() || output == "-" || options.compare_dialects) return kDone;
   const bool copies_nothing = !options.assets.empty() && result.copies.empty();
   conversion.tell_written(output + ": " + counted(loaded.scene.instances.size(), "instance") +
                               " of " + counted(loaded.scene.models.size(), "model") +
                               (result.has_falling_robots ? "; robots fall, see --ground" : "") +
                               (copies_nothing ? "; it names no files to copy" : ""),
-                          remarks_on(format, output, result));
+                          remarks_on(format, options, result));
   return options.opens && !show_page(kTool, output) ? kFailed : kDone;
 }
 
@@ -435,6 +445,13 @@ int smurfs_flatten_main(int argc, char** argv) {
                         formats_with(&SceneFormat::has_link_pairs));
     return kFailed;
   }
+  const bool is_expanded = *form == SceneForm::expand || !format.has_expanded_form;
+  if (options.collisions.changes_something() && (!format.has_collisions || !is_expanded)) {
+    complain(kTool, "--collision needs --form expand and one of the formats " +
+                        formats_with(&SceneFormat::has_collisions));
+    return kFailed;
+  }
+  complete(options.collisions, kTool, options.common);
   const auto current = current_folder(kTool);
   if (!current) return kFailed;
   Conversion conversion(kTool, options.common,
@@ -456,8 +473,8 @@ int smurfs_flatten_main(int argc, char** argv) {
         convert_scene(conversion.session(), *loaded, request_of(options, format, *form, *current));
   }
   std::vector<std::string> copies = places_of(result.copies, conversion.inputs());
-  for (const TextFile& file : result.models) {
-    copies.push_back(path::join(output_folder(options), file.path));
+  for (const OutputFile& file : made_files(options, result)) {
+    copies.push_back(path::join(file.folder, file.path));
   }
   if (!conversion.keeps_inputs({options.common.output, options.loss_report})) return kFailed;
   if (!keeps_inputs(kTool, conversion.inputs(), copies)) return kFailed;

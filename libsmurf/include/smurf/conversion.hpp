@@ -55,6 +55,66 @@ struct Referees {
 /// Both. In the library smurf::referees.
 Referees all_referees();
 
+/// What becomes of a collision mesh. Other shapes of collisions are kept.
+enum class CollisionShapes : std::uint8_t {
+  keep,
+  hull,      ///< its convex hull, as a mesh
+  boxes,     ///< a box around it
+  capsules,  ///< a capsule or a ball around it
+  parts      ///< several convex meshes that fill about the same space
+};
+/// The shapes for some links.
+struct CollisionChoice {
+  std::string links;  ///< a pattern of names with `*`; "": all links
+  CollisionShapes shapes = CollisionShapes::keep;
+};
+
+/// A mesh that is to be divided.
+struct DividedMesh {
+  std::vector<Vector3> points;         ///< m
+  std::vector<std::uint32_t> indices;  ///< three per triangle, which turns left, seen from outside
+  std::size_t most_parts = 0;
+  double concavity = 0;    ///< the deepest dent of a part, as a part of the size of the mesh
+  bool is_closed = false;  ///< it encloses a volume, and need not be repaired before
+};
+/// Points whose convex hulls are the parts of a mesh.
+struct ConvexParts {
+  std::vector<std::vector<Vector3>> parts;
+  std::string problem;          ///< the reason if there are none: "CoACD failed (signal 11)"
+  bool is_for_no_mesh = false;  ///< the reason is not the mesh: there is no CoACD here
+};
+
+/// Other shapes for the collision meshes of robots.
+struct CollisionRequest {
+  std::vector<CollisionChoice> choices = {};  ///< the last one that fits a link counts
+  /// Divides a mesh into convex parts; null: this program cannot.
+  std::function<ConvexParts(const DividedMesh& mesh)> divide = {};
+  /// Called before work that may take minutes, with a sentence about it; may be null.
+  std::function<void(const std::string& sentence)> tell = {};
+  /// The folder for new meshes, relative to the output folder; "": they cannot be written.
+  std::string folder = {};
+
+  bool changes_something() const;
+};
+
+/// A collision mesh that has other shapes in a result.
+struct ReplacedCollision {
+  std::string mesh;  ///< the file name, as written
+  CollisionShapes shapes = CollisionShapes::keep;
+  std::size_t parts = 1;
+  std::size_t vertices_before = 0;
+  std::size_t vertices_after = 0;  ///< 0 for boxes and capsules
+  double volume = 0;               ///< of the new shapes, m^3; where they overlap, it counts once
+  /// The volume gained, or lost if negative, as a part of that of the mesh; none for an open mesh,
+  /// whose volume is not known.
+  std::optional<double> gain;
+  std::size_t collisions = 0;  ///< that had this mesh, in this size
+  std::string kept;  ///< the reason if the mesh is kept: "all its points lie in one plane"
+  Span place;        ///< of the first, in the text of the robot
+};
+/// "12 convex parts; 1204 vertices become 210, volume +3.1 %".
+std::string describe(const ReplacedCollision& replaced);
+
 /// What convert_to_urdf() is asked for.
 struct UrdfRequest {
   /// With MeshUri::package and without a package_folder, the package is looked up in `packages`. If
@@ -70,6 +130,7 @@ struct UrdfRequest {
   /// The folder for these copies, relative to the output folder; "": they cannot be written.
   std::string mesh_folder = {};
   std::string file_name = "robot.urdf";  ///< of the result, in the output folder
+  CollisionRequest collisions = {};
 };
 
 /// The comparison of an exported URDF with its source.
@@ -84,8 +145,10 @@ struct UrdfProof {
 struct UrdfResult {
   Report report;  ///< of the model
   std::string text;
-  std::vector<Diagnostic> losses;  ///< what the URDF does not express
-  std::vector<TextFile> meshes;    ///< copies of meshes, by their paths in the output folder
+  std::vector<Diagnostic> losses;    ///< what the URDF does not express
+  std::vector<TextFile> meshes;      ///< copies of meshes, by their paths in the output folder
+  std::vector<TextFile> new_meshes;  ///< those of collisions, in the same way
+  std::vector<ReplacedCollision> collisions;
   /// What the reader of the request loses of the result: "loads the link without this shape
   /// (SML1628 at /robot/link[@name='arm']/...)".
   std::vector<std::string> lost_by_reader;
@@ -158,6 +221,7 @@ struct SceneRequest {
   std::string model_folder = {};
   std::map<std::string, std::string> packages = {};  ///< names to folders
   bool force = false;
+  CollisionRequest collisions = {};
 };
 
 /// Of the reasons of a reader: "refuses the mesh (...)", or that and how many more there are.
@@ -168,7 +232,9 @@ struct SceneResult {
   Report report;     ///< of the scene, with the losses
   std::string text;  ///< empty: refused
   AssetCopies copies;
-  std::vector<TextFile> models;    ///< copies of models, by their paths in the output folder
+  std::vector<TextFile> models;      ///< copies of models, by their paths in the output folder
+  std::vector<TextFile> new_meshes;  ///< those of collisions, in the same way
+  std::vector<ReplacedCollision> collisions;
   std::vector<Diagnostic> losses;  ///< what the format does not express
   /// What the reader of the format ignores in the models to which the result refers.
   std::vector<std::string> lost_by_reader;

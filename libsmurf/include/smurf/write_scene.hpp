@@ -77,6 +77,10 @@ struct OwnContacts {
   std::map<const LinkedModel*, LinkPairs> left_out;  ///< sorted pairs, the smaller index first
 };
 
+struct ChosenMass;
+/// The masses of links whose shapes were replaced: those that they have with the shapes before.
+using KeptMasses = std::map<const urdf::Link*, ChosenMass>;
+
 /// The input of a writer. All of it must outlive the call.
 struct SceneExport {
   const FlatScene& flat;
@@ -88,8 +92,9 @@ struct SceneExport {
   bool ground = false;  ///< add a floor at z = 0; SceneFormat::has_ground
   MotorOptions motors = {};
   OwnContacts contacts = {};
-  bool names_copies = false;  ///< model files in `flat` are copies that will be made
-  MeshSource meshes = {};     ///< for previews; without it, meshes are lost
+  const KeptMasses* kept_masses = nullptr;  ///< null: no shapes were replaced
+  bool names_copies = false;                ///< model files in `flat` are copies that will be made
+  MeshSource meshes = {};                   ///< for previews; without it, meshes are lost
   /// Limit of the text. A longer text is of no use and may end anywhere.
   std::uint64_t most_bytes = Limits{}.scene_bytes;
 
@@ -123,6 +128,8 @@ struct SceneFormat {
   bool welds_links = false;       ///< its readers keep neighbours of links on fixed joints apart
   /// What of a robot can touch itself if nobody chooses. As usual: what the model says.
   SelfCollision usual_contacts = SelfCollision::as_usual;
+  bool has_collisions = false;     ///< writes the collisions of links
+  bool has_meshes_inside = false;  ///< contains the triangles of meshes, and names no files of them
   bool fixes_world_roots = false;  ///< its readers know that a root named `world` does not move
   /// The parts that check_scene_size() counts in advance; null if nothing is repeated.
   RepeatedParts (*repeated_parts)(const LinkedModel& model) = nullptr;

@@ -10,12 +10,14 @@
 
 #include "base/findings/limits.hpp"
 #include "base/findings/rules.hpp"
+#include "base/text/edits.hpp"
 #include "check/in_time.hpp"
 #include "conversion/floor.hpp"
 #include "conversion/joint_controllers.hpp"
 #include "conversion/judged_models.hpp"
 #include "conversion/own_contacts.hpp"
 #include "conversion/refusal.hpp"
+#include "conversion/replaced_collisions.hpp"
 #include "conversion/scene_assets.hpp"
 #include "link/imported_world.hpp"
 #include "smurf/conversion.hpp"
@@ -85,10 +87,25 @@ std::set<std::size_t> named_models(const FlatScene& flat) {
   return models;
 }
 
-/// Fills the text and what belongs to it. Findings are added to those of loading.
+std::vector<LinkedModel*> models_of(LinkedScene& scene) {
+  std::vector<LinkedModel*> models;
+  for (LinkedModel& model : scene.models) models.push_back(&model);
+  return models;
+}
+
+/// The new meshes that a text names.
+std::vector<TextFile> named_files(std::vector<TextFile> files, std::string_view text) {
+  std::erase_if(files, [&](const TextFile& file) {
+    return text.find(escape_xml(file.path)) == std::string_view::npos;
+  });
+  return files;
+}
+
+/// Fills the text and what belongs to it, without the shapes that collisions get. Findings are
+/// added to those of loading.
 void write(Session& session, LoadedScene& loaded, const SceneRequest& request,
-           SceneResult& result) {
-  const FileReader& files = session.files();
+           const ReplacedCollisions& replaced, SceneResult& result) {
+  const FileReader& files = replaced.files();
   const Limits& limits = session.limits();
   const SceneFormat& format = request.format;
   const bool is_expanded = request.form == SceneForm::expand;
@@ -106,11 +123,17 @@ void write(Session& session, LoadedScene& loaded, const SceneRequest& request,
     anchor_bases(*flat, loaded.scene, request.base.value_or(BaseChoice::world_roots_fixed));
   }
   if (!request.assets.empty()) {
-    result.copies = redirect_assets(*flat, request.assets, flattening, files, limits);
+    // New meshes are written where the result names them.
+    result.copies = redirect_assets(*flat, request.assets, flattening, session.files(), limits,
+                                    [&](const std::string& file) {
+                                      return !request.collisions.folder.empty() &&
+                                             file.starts_with(request.collisions.folder + "/");
+                                    });
   }
   if (format.reader != nullptr && !is_expanded) {
     judge_models(request, loaded.scene, named_models(*flat), files, limits, *flat, result);
     if (result.refusal) return;
+    report_collisions(result.collisions, loaded.found);
   }
   OwnContacts contacts;
   if (format.has_contacts || format.loses_link_pairs) {
@@ -130,6 +153,7 @@ void write(Session& session, LoadedScene& loaded, const SceneRequest& request,
                             .ground = request.ground,
                             .motors = std::move(motors),
                             .contacts = std::move(contacts),
+                            .kept_masses = &replaced.masses(),
                             .names_copies = !request.assets.empty(),
                             .meshes = mesh_source(flattening, result.copies, files, limits),
                             .most_bytes = limits.scene_bytes};
@@ -146,6 +170,34 @@ void write(Session& session, LoadedScene& loaded, const SceneRequest& request,
     return;
   }
   result.has_falling_robots = format.has_ground && !request.ground && has_falling_robots(*flat);
+}
+
+/// The same with the shapes of request.collisions. A format that names models gets copies of them,
+/// which have these shapes.
+void write_with_collisions(Session& session, LoadedScene& loaded, const SceneRequest& request,
+                           SceneResult& result) {
+  const CollisionOutput output{.output_folder = request.output_folder,
+                               .current_folder = request.current_folder.empty()
+                                                     ? folder_of_process()
+                                                     : request.current_folder,
+                               .makes_names = request.format.name == "urdf",
+                               .names_meshes = !request.format.has_meshes_inside};
+  ReplacedCollisions replaced(session, loaded, request.collisions, output);
+  const std::vector<LinkedModel*> models = models_of(loaded.scene);
+  if (request.form == SceneForm::expand) {
+    result.refusal = replaced.apply(models);
+  } else if (const std::string problem = unknown_links(
+                 request.collisions, std::vector<const LinkedModel*>(models.begin(), models.end()));
+             !problem.empty()) {
+    result.refusal = {problem, Refusal::Cause::options};
+  }
+  if (result.refusal) return;
+  write(session, loaded, request, replaced, result);
+  if (request.form != SceneForm::expand) return;
+  if (!request.format.has_meshes_inside)
+    result.new_meshes = named_files(replaced.take_meshes(), result.text);
+  result.collisions = replaced.take_collisions();
+  replaced.restore();
 }
 
 /// Calls `convert` if all poses are known. Its findings are in the report, but are not kept as
@@ -200,12 +252,12 @@ FlatResult convert_to_flat(Session& session, LoadedScene& loaded, const Dialect&
 SceneResult convert_scene(Session& session, LoadedScene& loaded, const SceneRequest& request) {
   SceneResult result;
   SceneCheck check = convert_checked(
-      session, loaded, request.force, [&] { write(session, loaded, request, result); },
-      &result.losses);
+      session, loaded, request.force,
+      [&] { write_with_collisions(session, loaded, request, result); }, &result.losses);
   result.report = std::move(check.report);
   if (check.refusal) {
     result.refusal = std::move(check.refusal);
-  } else if (names_made_models(loaded.scene, request)) {
+  } else if (!result.refusal && names_made_models(loaded.scene, request)) {
     result.text.clear();
     result.refusal = {"is a world, whose models are in no files of their own, and the result would "
                       "name files; choose a format that contains its models, such as sdf or urdf",
@@ -219,7 +271,8 @@ SceneResult convert_scene(Session& session, LoadedScene& loaded, const SceneRequ
 
 bool is_loss(const Diagnostic& finding) {
   return finding.rule->reported_by == Tool::converters &&
-         finding.rule != &rules::sml8212_chosen_value;
+         finding.rule != &rules::sml8212_chosen_value &&
+         finding.rule != &rules::sml8213_replaced_collision;
 }
 
 SceneForm usual_form(const SceneFormat& format) {

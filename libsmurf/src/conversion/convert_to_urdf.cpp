@@ -9,6 +9,7 @@
 #include "conversion/mesh_copies.hpp"
 #include "conversion/reader_verdict.hpp"
 #include "conversion/refusal.hpp"
+#include "conversion/replaced_collisions.hpp"
 #include "smurf/confine.hpp"
 #include "smurf/conversion.hpp"
 #include "smurf/load.hpp"
@@ -173,8 +174,9 @@ Refusal judge(const FileReader& files, const UrdfRequest& request, const UrdfExp
   MemoryFiles with_result(&files);
   const std::string file = in_output(wanted, request.file_name);
   with_result.add(file, result.text);
-  for (const TextFile& mesh : result.meshes)
-    with_result.add(in_output(wanted, mesh.path), mesh.text);
+  for (const std::vector<TextFile>* meshes : {&result.meshes, &result.new_meshes}) {
+    for (const TextFile& mesh : *meshes) with_result.add(in_output(wanted, mesh.path), mesh.text);
+  }
   ReaderVerdict verdict = verdict_on(file, *request.reader, with_result, limits, request.packages);
   const std::string title(request.reader->title);
   result.lost_by_reader = std::move(verdict.lost);
@@ -191,6 +193,32 @@ Refusal judge(const FileReader& files, const UrdfRequest& request, const UrdfExp
           Refusal::Cause::result, true};
 }
 
+/// Writes and proves the URDF. `files` also has the new meshes of collisions.
+void write(const LoadedModel& loaded, const UrdfRequest& request, UrdfExport& wanted,
+           const FileReader& files, const Limits& limits, bool may_ask, DiagnosticSink& losses,
+           UrdfResult& result) {
+  const LinkedModel& model = loaded.model;
+  if (wanted.mesh_uri == MeshUri::package && wanted.package_folder.empty()) {
+    wanted.package_folder = package_folder(model, request, wanted.current_folder);
+  }
+  result.refusal = {problem_of(model, wanted), Refusal::Cause::options};
+  if (result.refusal) return;
+  if (request.reader != nullptr && !request.mesh_folder.empty()) {
+    MeshCopies copies = copies_for(*request.reader, model, files, limits);
+    for (const auto& [mesh, copy] : copies.names) {
+      wanted.mesh_copies.emplace(mesh, path::join(request.mesh_folder, copy));
+    }
+    result.meshes = std::move(copies.files);
+    for (TextFile& mesh : result.meshes) mesh.path = path::join(request.mesh_folder, mesh.path);
+  }
+  report_losses(model, wanted, losses);
+  result.text = export_urdf(model, *loaded.sources, wanted, losses);
+  result.refusal = prove(model, *loaded.sources, wanted, request, limits, may_ask, result);
+  if (!result.refusal && request.reader != nullptr) {
+    result.refusal = judge(files, request, wanted, limits, result);
+  }
+}
+
 }  // namespace
 
 UrdfResult convert_to_urdf(Session& session, LoadedModel& loaded, const UrdfRequest& request) {
@@ -199,7 +227,7 @@ UrdfResult convert_to_urdf(Session& session, LoadedModel& loaded, const UrdfRequ
   if (wanted.current_folder.empty()) wanted.current_folder = folder_of_process();
   UrdfResult result;
   result.report = session.check(loaded);
-  const std::span<const Diagnostic> found = result.report.diagnostics;
+  const std::vector<Diagnostic> found = result.report.diagnostics;
   result.refusal = refusal_for(found, request.force, [&](const Diagnostic& finding) {
     return loss_in_urdf(finding, model, wanted);
   });
@@ -208,28 +236,26 @@ UrdfResult convert_to_urdf(Session& session, LoadedModel& loaded, const UrdfRequ
     result.refusal.can_be_forced = false;
   }
   if (result.refusal) return result;
-  if (wanted.mesh_uri == MeshUri::package && wanted.package_folder.empty()) {
-    wanted.package_folder = package_folder(model, request, wanted.current_folder);
-  }
-  result.refusal = {problem_of(model, wanted), Refusal::Cause::options};
+  const DiagnosticSink before = loaded.found;
+  ReplacedCollisions replaced(session, loaded, request.collisions,
+                              {.output_folder = wanted.output_folder,
+                               .current_folder = wanted.current_folder,
+                               .makes_names = true,
+                               .has_capsules = false});
+  LinkedModel* const models[] = {&loaded.model};
+  result.refusal = replaced.apply(models);
   if (result.refusal) return result;
-  if (request.reader != nullptr && !request.mesh_folder.empty()) {
-    MeshCopies copies = copies_for(*request.reader, model, session.files(), session.limits());
-    for (const auto& [mesh, copy] : copies.names) {
-      wanted.mesh_copies.emplace(mesh, path::join(request.mesh_folder, copy));
-    }
-    result.meshes = std::move(copies.files);
-    for (TextFile& mesh : result.meshes) mesh.path = path::join(request.mesh_folder, mesh.path);
-  }
+  result.new_meshes = replaced.take_meshes();
   DiagnosticSink losses;
-  report_losses(model, wanted, losses);
-  result.text = export_urdf(model, *loaded.sources, wanted, losses);
-  result.refusal = prove(model, *loaded.sources, wanted, request, session.limits(),
-                         may_ask_urdfdom(found), result);
-  if (!result.refusal && request.reader != nullptr) {
-    result.refusal = judge(session.files(), request, wanted, session.limits(), result);
-  }
-  result.losses = session.settle(loaded, losses.take());
+  write(loaded, request, wanted, replaced.files(), session.limits(), may_ask_urdfdom(found), losses,
+        result);
+  std::vector<Diagnostic> lost = replaced.placed(losses.take());
+  replaced.restore();
+  result.collisions = replaced.take_collisions();
+  result.losses = session.settle(loaded, std::move(lost));
+  // Its findings are those of loading, and what became of the collisions.
+  if (request.collisions.changes_something()) result.report = session.check(loaded);
+  loaded.found = before;
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/files/path.hpp"
 #include "conversion/reader_verdict.hpp"
+#include "conversion/replaced_collisions.hpp"
 
 namespace smurf {
 namespace {
@@ -26,6 +27,7 @@ class ModelJudge {
     ReaderVerdict verdict =
         verdict_on(model.urdf_path, reader_, files_, limits_, request_.packages);
     const bool is_loaded = verdict.refused.empty();
+    if (request_.collisions.changes_something()) return replace_collisions(model, flat);
     if (is_loaded && !needs_packages(model)) return add_lost(std::move(verdict.lost));
     if (!request_.model_folder.empty()) {
       UrdfResult copy = copy_of(model, flat);
@@ -54,6 +56,28 @@ class ModelJudge {
     });
   }
 
+  /// Names a copy with other shapes, which the reader loads.
+  void replace_collisions(const LinkedModel& model, FlatModel& flat) {
+    if (result_.refusal) return;
+    if (request_.model_folder.empty()) {
+      result_.refusal = {
+          "cannot be converted: models with the shapes of --collision lie beside the "
+          "result; name it with -o FILE",
+          Refusal::Cause::options};
+      return;
+    }
+    UrdfResult copy = copy_of(model, flat);
+    if (copy.refusal) {
+      result_.refusal = std::move(copy.refusal);
+      return;
+    }
+    for (ReplacedCollision& one : copy.collisions) {
+      one.place.source = model.robot->document.source;  // the same text
+      result_.collisions.push_back(std::move(one));
+    }
+    use(std::move(copy), flat);
+  }
+
   std::string file_name(const FlatModel& flat) const { return flat.id + ".urdf"; }
 
   UrdfResult copy_of(const LinkedModel& model, const FlatModel& flat) const {
@@ -65,7 +89,10 @@ class ModelJudge {
     UrdfRequest wanted{.packages = request_.packages,
                        .reader = &reader_,
                        .mesh_folder = flat.id + "_meshes",
-                       .file_name = file_name(flat)};
+                       .file_name = file_name(flat),
+                       .collisions = request_.collisions};
+    wanted.collisions.choices = choices_for(request_.collisions, model);
+    wanted.collisions.folder = flat.id + "_collisions";
     wanted.options.mesh_uri = MeshUri::relative;
     wanted.options.output_folder = path::join(request_.output_folder, request_.model_folder);
     wanted.options.current_folder = request_.current_folder;
@@ -78,8 +105,9 @@ class ModelJudge {
     };
     flat.urdf = in_folder(file_name(flat));
     result_.models.push_back({flat.urdf, std::move(copy.text)});
-    for (TextFile& mesh : copy.meshes) {
-      result_.models.push_back({in_folder(mesh.path), std::move(mesh.text)});
+    for (std::vector<TextFile>* meshes : {&copy.meshes, &copy.new_meshes}) {
+      for (TextFile& mesh : *meshes)
+        result_.models.push_back({in_folder(mesh.path), std::move(mesh.text)});
     }
     add_lost(std::move(copy.lost_by_reader));
   }

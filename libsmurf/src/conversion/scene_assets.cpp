@@ -16,14 +16,17 @@ namespace {
 class Redirection {
  public:
   Redirection(const std::string& folder, const FlattenOptions& options, const FileReader& files,
-              const Limits& limits, const FlatScene& flat)
+              const Limits& limits, const FlatScene& flat,
+              const std::function<bool(const std::string& file)>& stays)
       : files_(files),
+        stays_(stays),
         current_(options.current_folder),
         output_(path::join(options.current_folder, options.output_folder)),
         plan_(files, limits, current_, folder, sources_of(flat)) {}
 
   /// Changes the name of a file; `file` is relative to the output's folder.
   std::string redirect(const std::string& file, const std::string& group) {
+    if (stays_(file)) return file;
     const auto copy = plan_.copy_of(known_name(absolute(file), current_, files_), group);
     return copy ? path::relative(*copy, output_) : file;
   }
@@ -38,13 +41,16 @@ class Redirection {
   std::set<std::string> sources_of(const FlatScene& flat) const {
     std::set<std::string> sources;
     for (const FlatModel& model : flat.models) {
-      for (const auto& [written, file] : model.resources) sources.insert(absolute(file));
+      for (const auto& [written, file] : model.resources) {
+        if (!stays_(file)) sources.insert(absolute(file));
+      }
       for (const auto& [written, file] : model.annotated_textures) sources.insert(absolute(file));
     }
     return sources;
   }
 
   const FileReader& files_;
+  const std::function<bool(const std::string& file)>& stays_;
   std::string current_, output_;
   CopyPlan plan_;
 };
@@ -53,8 +59,9 @@ class Redirection {
 
 AssetCopies redirect_assets(FlatScene& flat, const std::string& folder,
                             const FlattenOptions& options, const FileReader& files,
-                            const Limits& limits) {
-  Redirection redirection(folder, options, files, limits, flat);
+                            const Limits& limits,
+                            const std::function<bool(const std::string& file)>& stays) {
+  Redirection redirection(folder, options, files, limits, flat, stays);
   for (FlatModel& model : flat.models) {
     for (auto& [written, file] : model.resources) file = redirection.redirect(file, model.id);
     for (auto& [written, file] : model.annotated_textures) {

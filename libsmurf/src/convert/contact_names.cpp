@@ -58,14 +58,19 @@ class PlacedCollisions {
     return model_.robot->links[at.link].collisions[at.collision];
   }
 
+  /// Whether a collision has this shape and pose.
+  bool is_at(const CollisionPlace& at, const std::string& shape, const Pose& X_WC) const {
+    if (text_of(collision(at).geometry) != shape) return false;
+    const auto X = pose(at);
+    return X && is_near(*X, X_WC);
+  }
+
   /// The collision of the same shape at the same place.
   std::optional<CollisionPlace> find(const std::string& shape, const Pose& X_WC) const {
     for (std::size_t link = 0; link < model_.robot->links.size(); ++link) {
       const auto& collisions = model_.robot->links[link].collisions;
       for (std::size_t i = 0; i < collisions.size(); ++i) {
-        if (text_of(collisions[i].geometry) != shape) continue;
-        const auto X = pose({link, i});
-        if (X && is_near(*X, X_WC)) return CollisionPlace{link, i};
+        if (is_at({link, i}, shape, X_WC)) return CollisionPlace{link, i};
       }
     }
     return std::nullopt;
@@ -91,7 +96,11 @@ void rename_contacts(const LinkedModel& source, const LinkedModel& result, XmlEd
     const auto meant = find_collision(old_names, before[i].link, before[i].text);
     const auto X_WC = meant ? placed.pose(*meant) : std::nullopt;
     if (!X_WC) continue;
-    const auto now = in_result.find(text_of(placed.collision(*meant).geometry), *X_WC);
+    const std::string shape = text_of(placed.collision(*meant).geometry);
+    // Several parts of one mesh are alike.
+    const auto named = find_collision(new_names, after[i].link, after[i].text);
+    if (named && in_result.is_at(*named, shape, *X_WC)) continue;
+    const auto now = in_result.find(shape, *X_WC);
     if (!now) continue;
     const std::string& name = new_names.collisions[now->link][now->collision];
     if (name != after[i].text) edits.replace(after[i].element.text_span(), escape_xml(name));

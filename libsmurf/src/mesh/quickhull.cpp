@@ -13,7 +13,7 @@
 namespace smurf {
 namespace {
 
-double length(const Vector3& a) { return std::sqrt(dot(a, a)); }
+double length_of(const Vector3& a) { return std::sqrt(dot(a, a)); }
 
 /// The neighbour `k` is behind the edge from corner `k` to the next.
 struct Face : HullFace {
@@ -78,14 +78,14 @@ class HullMaker {
     const auto to = [&](std::uint32_t from, std::uint32_t i) {
       return difference(points_[i], points_[from]);
     };
-    const std::uint32_t a = largest([&](std::uint32_t i) { return length(to(0, i)); });
-    const std::uint32_t b = largest([&](std::uint32_t i) { return length(to(a, i)); });
+    const std::uint32_t a = largest([&](std::uint32_t i) { return length_of(to(0, i)); });
+    const std::uint32_t b = largest([&](std::uint32_t i) { return length_of(to(a, i)); });
     const std::uint32_t c =
-        largest([&](std::uint32_t i) { return length(cross(to(a, b), to(a, i))); });
+        largest([&](std::uint32_t i) { return length_of(cross(to(a, b), to(a, i))); });
     const Vector3 normal = cross(to(a, b), to(a, c));
     const std::uint32_t d =
         largest([&](std::uint32_t i) { return std::fabs(dot(normal, to(a, i))); });
-    const double area = length(normal);
+    const double area = length_of(normal);
     if (!(area > 0) || !(std::fabs(dot(normal, to(a, d))) > 4 * tolerance_ * area)) return false;
     const bool is_above = dot(normal, to(a, d)) > 0;
     const std::uint32_t first = is_above ? c : b;
@@ -112,7 +112,7 @@ class HullMaker {
     const Vector3& origin = points_[corners[0]];
     Vector3 normal =
         cross(difference(points_[corners[1]], origin), difference(points_[corners[2]], origin));
-    const double size = length(normal);
+    const double size = length_of(normal);
     if (!(size > 0)) return false;
     for (double& x : normal) x /= size;
     face.side = {normal, dot(normal, origin)};

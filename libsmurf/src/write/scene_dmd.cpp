@@ -229,6 +229,7 @@ extern constinit const SceneFormat scene_dmd{
     .has_contacts = true,
     .has_link_pairs = true,
     .usual_contacts = SelfCollision::srdf,
+    .has_collisions = true,
     .fixes_world_roots = true};
 
 }  // namespace smurf::scene_dmd_file

@@ -24,6 +24,8 @@ extern constinit const SceneFormat scene_html{
     .name = "html",
     .help = "a page that shows the scene in a browser, without network",
     .write = write,
+    .has_collisions = true,
+    .has_meshes_inside = true,
     .obstacle = obstacle};
 
 }  // namespace smurf::scene_html_file

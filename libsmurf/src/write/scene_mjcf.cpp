@@ -242,7 +242,7 @@ class MjcfWriter : MjcfLoops {
     for (const JointChain::Part& part : joints) moves = add_joint(i, model, part) || moves;
     const urdf::Link& written = model.robot->links[link];
     if (moves && (inertial_of(written) || !carries_mass(model, link))) {
-      const ChosenMass mass = link_mass(model, written);
+      const ChosenMass mass = link_mass(scene_, model, written);
       if (!mass.chosen.empty()) losses_.note(mass.chosen, written.span, link_name(model, link));
       add_inertial(mass.mass, moves, written.span, link_name(model, link));
     } else if (const auto mass = inertial_of(written)) {
@@ -382,8 +382,7 @@ class MjcfWriter : MjcfLoops {
     bool is_open = false;
     const auto exclude = [&](const std::string& body, const std::string& other) {
       if (!done.insert(std::minmax(body, other)).second) return true;
-      if (!is_open) xml_.open("contact");
-      is_open = true;
+      if (!std::exchange(is_open, true)) xml_.open("contact");
       xml_.empty("exclude", {{"body1", body}, {"body2", other}});
       return !xml_.is_full();
     };
@@ -494,6 +493,7 @@ extern constinit const SceneFormat scene_mjcf{
     .has_neighbours = true,
     .welds_links = true,
     .usual_contacts = SelfCollision::srdf,
+    .has_collisions = true,
     .fixes_world_roots = true,
     .repeated_parts = repeated_parts};
 

@@ -292,7 +292,7 @@ class SdfWriter : SdfJoints {
     xml_.open("link", {{"name", local_name(links_of(model)[body])}});
     add_pose(*X_EL[body]);
     const urdf::Link& whole = model.robot->links[body];
-    const ChosenMass mass = link_mass(model, whole);
+    const ChosenMass mass = link_mass(scene_, model, whole);
     if (!mass.chosen.empty()) losses_.note(mass.chosen, whole.span, link_name(model, body));
     const BodyInertia inertia = body_inertia(mass.mass, 0, 0);
     if (inertia.is_changed) losses_.note(kRefusedInertias, whole.span, link_name(model, body));
@@ -399,6 +399,7 @@ extern constinit const SceneFormat scene_sdf{
     .repeats_models = true,
     .has_contacts = true,
     .has_bitmasks = true,
+    .has_collisions = true,
     .fixes_world_roots = true,
     .repeated_parts = sdf_parts};
 
@@ -413,6 +414,7 @@ extern constinit const SceneFormat scene_sdf16{
     .has_ground = true,
     .repeats_models = true,
     .has_contacts = true,
+    .has_collisions = true,
     .fixes_world_roots = true,
     .repeated_parts = sdf_parts};
 

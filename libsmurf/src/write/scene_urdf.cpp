@@ -384,6 +384,7 @@ extern constinit const SceneFormat scene_urdf{
     .write = [](const SceneExport& scene) { return UrdfMerger(scene).run(); },
     .repeats_models = true,
     .loses_link_pairs = true,
+    .has_collisions = true,
     .fixes_world_roots = true,
     .repeated_parts = repeated_parts};
 

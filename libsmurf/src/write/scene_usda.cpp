@@ -465,6 +465,8 @@ extern constinit const SceneFormat scene_usda{
     .has_link_pairs = true,
     .has_neighbours = true,
     .usual_contacts = SelfCollision::none,
+    .has_collisions = true,
+    .has_meshes_inside = true,
     .fixes_world_roots = true};
 
 }  // namespace smurf::scene_usda_file

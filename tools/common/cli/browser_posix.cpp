@@ -3,13 +3,13 @@
 #include <string>
 
 #include "common/cli/browser.hpp"
+#include "common/cli/process.hpp"
 #ifndef __EMSCRIPTEN__
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstring>
@@ -34,20 +34,6 @@ constexpr std::array<const char*, 1> kOpeners{"open"};
 #else
 constexpr std::array<const char*, 2> kOpeners{"xdg-open", "wslview"};
 #endif
-
-/// The absolute path of a program on the PATH, or "".
-std::string find_program(std::string_view name) {
-  const char* const variable = std::getenv("PATH");
-  std::string_view rest = variable == nullptr ? "/usr/local/bin:/usr/bin:/bin" : variable;
-  while (!rest.empty()) {
-    const std::size_t end = std::min(rest.find(':'), rest.size());
-    const std::string path = std::string(rest.substr(0, end)) + "/" + std::string(name);
-    // A relative folder on the PATH may contain programs that somebody else put there.
-    if (path.front() == '/' && end > 0 && ::access(path.c_str(), X_OK) == 0) return path;
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-  }
-  return {};
-}
 
 /// Programs that open addresses end soon, or stay as the browser. "" or the reason of a failure.
 std::string wait_for_failure(pid_t process, std::string_view name) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace smurf::tools {
@@ -21,6 +22,21 @@ std::vector<std::string> arguments_of(int argc, const char* const* argv);
 /// return.
 int run_beside(const std::string& self, const std::string& name,
                const std::vector<std::string>& arguments);
+
+/// What became of another program.
+struct ProgramRun {
+  std::string problem;  ///< "there is no python3 on the PATH"; "": it ran to its end
+  int exit_code = 0;
+  int signal = 0;  ///< that ended it; 0: none
+  std::string output = {};
+};
+/// Runs a program of the PATH with a text as its standard input, and waits. It must read all of
+/// that before it writes; what it writes to standard error is lost. Not on Windows, and not in
+/// WebAssembly.
+ProgramRun run_program(const std::string& name, const std::vector<std::string>& arguments,
+                       std::string_view input);
+/// The absolute path of a program on the PATH, or "".
+std::string find_program(std::string_view name);
 
 bool is_terminal(int descriptor);
 /// In columns; none if it is not a terminal.

@@ -4,7 +4,13 @@
 #include <fcntl.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
+#ifndef __EMSCRIPTEN__
+#include <spawn.h>
+#include <sys/wait.h>
+#endif
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <climits>
 #include <csignal>
@@ -97,6 +103,114 @@ int run_beside(const std::string& self, const std::string& name,
   complain("smurf", "cannot run '" + program + "': " + std::strerror(errno));
   return kFailed;
 }
+
+std::string find_program(std::string_view name) {
+  const char* const variable = std::getenv("PATH");
+  std::string_view rest = variable == nullptr ? "/usr/local/bin:/usr/bin:/bin" : variable;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(':'), rest.size());
+    const std::string path = std::string(rest.substr(0, end)) + "/" + std::string(name);
+    // A relative folder on the PATH may contain programs that somebody else put there.
+    if (path.front() == '/' && end > 0 && ::access(path.c_str(), X_OK) == 0) return path;
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return {};
+}
+
+#ifdef __EMSCRIPTEN__
+ProgramRun run_program(const std::string& name, const std::vector<std::string>&, std::string_view) {
+  return {.problem = "in WebAssembly, no program can be started, and so not " + name};
+}
+#else
+namespace {
+
+/// Both ends of a pipe, which other programs do not inherit.
+struct Pipe {
+  Pipe() {
+#ifdef __linux__
+    if (::pipe2(ends.data(), O_CLOEXEC) != 0) ends = {-1, -1};
+#else
+    if (::pipe(ends.data()) != 0) ends = {-1, -1};
+    for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
+#endif
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  ~Pipe() {
+    close(0);
+    close(1);
+  }
+  void close(std::size_t end) {
+    if (ends[end] >= 0) ::close(ends[end]);
+    ends[end] = -1;
+  }
+
+  std::array<int, 2> ends{-1, -1};
+};
+
+pid_t start(std::string program, const std::vector<std::string>& arguments, const Pipe& in,
+            const Pipe& out, int& error) {
+  posix_spawn_file_actions_t actions;
+  ::posix_spawn_file_actions_init(&actions);
+  ::posix_spawn_file_actions_adddup2(&actions, in.ends[0], STDIN_FILENO);
+  ::posix_spawn_file_actions_adddup2(&actions, out.ends[1], STDOUT_FILENO);
+  ::posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  std::vector<std::string> words = arguments;
+  std::vector<char*> pointers{program.data()};
+  for (std::string& word : words) pointers.push_back(word.data());
+  pointers.push_back(nullptr);
+  pid_t process = 0;
+  error = ::posix_spawn(&process, program.c_str(), &actions, nullptr, pointers.data(), environ);
+  ::posix_spawn_file_actions_destroy(&actions);
+  return process;
+}
+
+void write_to(Pipe& in, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = ::write(in.ends[1], text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) break;  // it has ended
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  in.close(1);
+}
+
+std::string read_from(const Pipe& out) {
+  std::string text;
+  std::array<char, 65536> buffer;
+  while (true) {
+    const ssize_t count = ::read(out.ends[0], buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return text;
+    text.append(buffer.data(), static_cast<std::size_t>(count));
+  }
+}
+
+}  // namespace
+
+ProgramRun run_program(const std::string& name, const std::vector<std::string>& arguments,
+                       std::string_view input) {
+  const std::string program = find_program(name);
+  if (program.empty()) return {.problem = "there is no " + name + " on the PATH"};
+  Pipe in;
+  Pipe out;
+  if (in.ends[0] < 0 || out.ends[0] < 0) return {.problem = "there are too many open files"};
+  int error = 0;
+  const pid_t process = start(program, arguments, in, out, error);
+  if (error != 0) return {.problem = "cannot start " + program + ": " + std::strerror(error)};
+  in.close(0);
+  out.close(1);
+  write_to(in, input);
+  ProgramRun run;
+  run.output = read_from(out);
+  int status = 0;
+  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (WIFSIGNALED(status)) run.signal = WTERMSIG(status);
+  run.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : kFailed;
+  return run;
+}
+#endif
 
 bool is_terminal(int descriptor) { return ::isatty(descriptor) == 1; }
 

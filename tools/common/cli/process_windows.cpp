@@ -91,6 +91,13 @@ int run_beside(const std::string& /*self*/, const std::string& name,
   return kFailed;
 }
 
+ProgramRun run_program(const std::string& name, const std::vector<std::string>& /*arguments*/,
+                       std::string_view /*input*/) {
+  return {.problem = "on Windows, this program does not start " + name};
+}
+
+std::string find_program(std::string_view /*name*/) { return {}; }
+
 bool is_terminal(int descriptor) {
   DWORD mode = 0;
   return ::GetConsoleMode(handle_of(descriptor), &mode) != 0;

@@ -49,7 +49,9 @@ extern constinit const Rule sml1654_concave_collision{
         "Where simulators use the hull for contacts, nothing fits between the fingers of a fork, "
         "and a gripper closes on air.",
     .remedy =
-        "Divide the mesh into convex parts, each in one `collision`, for example with CoACD or V-HACD.",
+        "Divide the mesh into convex parts, each in one `collision`: `--collision parts` of "
+        "smurf2urdf and smurfs-flatten does this with CoACD, for some links with `--collision "
+        "'gripper_*=parts'`.",
     .sources = "13 threads on simulators, such as MuJoCo issue 1873 and Bullet issue 1954.",
     .check_model = check,
     .needs_target = true,

@@ -137,4 +137,18 @@ extern constinit const Rule sml8212_chosen_value{
     .sources = "smurfs-flatten.",
     .reported_by = Tool::converters};
 
+extern constinit const Rule sml8213_replaced_collision{
+    .id = "SML8213",
+    .name = "replaced-collision",
+    .severity = Severity::info,
+    .summary = "The collision meshes have other shapes in the result, as `--collision` asks.",
+    .why =
+        "Convex parts, hulls, boxes and capsules are faster than meshes and more robust, but they "
+        "are larger or smaller than the mesh. Masses and inertias stay those of the mesh.",
+    .remedy =
+        "Choose other shapes with `--collision` for the links whose volume changes too much, such "
+        "as `--collision hull --collision 'finger_*=parts'`.",
+    .sources = "smurfs-flatten, smurf2urdf.",
+    .reported_by = Tool::converters};
+
 }  // namespace smurf::rules

@@ -63,7 +63,7 @@ constexpr Cell kPlainName =
     changed("names have ASCII letters, digits and _ only, are unique, and are not reserved");
 constexpr Cell kHulls =
     changed("MuJoCo uses the convex hull, which has this multiple of the volume, so that gaps are "
-            "full; divide the mesh into convex parts, each in one `collision`");
+            "full; --collision parts divides them into convex parts");
 constexpr Cell kSquare =
     changed("Gazebo refuses images that are not square with 2^n + 1 pixels a side, such as 129; "
             "give the image such a size");

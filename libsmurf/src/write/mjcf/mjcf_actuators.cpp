@@ -24,7 +24,8 @@ const std::vector<MjcfActuators::Motor>& MjcfActuators::motors_of(std::size_t i)
   const std::vector<JointDrive> drives = joint_drives(model, scene_.motors);
   if (drives.empty()) return known->second;
   std::vector<std::optional<LinkInertial>> masses;
-  for (const urdf::Link& link : model.robot->links) masses.push_back(link_mass(model, link).mass);
+  for (const urdf::Link& link : model.robot->links)
+    masses.push_back(link_mass(scene_, model, link).mass);
   const Vector3 gravity = scene_.flat.physics.gravity.value_or(kUsualGravity);
   const std::vector<std::optional<Pose>>& poses = frames_of(scene_, i, frames_);
   const std::vector<JointInertia> inertias =

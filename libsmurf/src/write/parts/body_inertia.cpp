@@ -95,6 +95,14 @@ ChosenMass link_mass(const LinkedModel& model, const urdf::Link& link) {
   return is_known ? ChosenMass{of_shapes, kUselessInertias} : ChosenMass{*body, {}};
 }
 
+ChosenMass link_mass(const SceneExport& scene, const LinkedModel& model, const urdf::Link& link) {
+  if (scene.kept_masses != nullptr) {
+    const auto kept = scene.kept_masses->find(&link);
+    if (kept != scene.kept_masses->end()) return kept->second;
+  }
+  return link_mass(model, link);
+}
+
 std::array<double, 6> tensor_in_link(const LinkInertial& mass) {
   const Eigen::Matrix3d I = tensor_of(mass);
   return {I(0, 0), I(1, 1), I(2, 2), I(0, 1), I(0, 2), I(1, 2)};

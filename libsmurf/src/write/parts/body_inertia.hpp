@@ -29,6 +29,8 @@ struct ChosenMass {
 };
 /// That of the link; where it has none, or one with which nothing can move, that of its shapes.
 ChosenMass link_mass(const LinkedModel& model, const urdf::Link& link);
+/// The same for a link whose shapes may have been replaced.
+ChosenMass link_mass(const SceneExport& scene, const LinkedModel& model, const urdf::Link& link);
 
 /// R I R^T: the tensor in the axes of the link; xx, yy, zz, xy, xz, yz.
 std::array<double, 6> tensor_in_link(const LinkInertial& mass);

@@ -211,7 +211,7 @@ bool UsdPhysics::is_body(std::size_t instance) const {
 
 void UsdPhysics::add_mass(std::size_t instance, std::size_t link) {
   const urdf::Link& written = robot(instance).robot->links[link];
-  const ChosenMass mass = link_mass(robot(instance), written);
+  const ChosenMass mass = link_mass(scene_, robot(instance), written);
   const bool is_root = link == to_size(robot(instance).tree.roots.front());
   const bool is_held =
       is_root && scene_.flat.instances[instance].anchor.kind == Attachment::Kind::world;
