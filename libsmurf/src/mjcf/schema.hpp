@@ -29,8 +29,8 @@ struct Need {
 /// equality.
 struct Grammar {
   std::string_view name;
-  char count = '*';                      ///< '!' once, '?' at most once, '*' and 'R' any number
-  std::vector<Value> attributes;         ///< sorted
+  char count = '*';               ///< '!' once, '?' at most once, '*' and 'R' any number
+  std::vector<Value> attributes;  ///< sorted
   std::vector<Need> needs;
   std::vector<const Grammar*> children;  ///< bodies contain themselves
 
