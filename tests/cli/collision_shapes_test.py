@@ -353,6 +353,16 @@ class CollisionShapesTest(cli.CliTest):
             self.assertIn("there is no python3 on the PATH", done.stderr)
         self.assertEqual(self.written(), before)
 
+    def test_a_module_in_the_current_folder_is_not_run(self):
+        """The folder of a robot may be anybody's. Whether there is a CoACD elsewhere does not matter here."""
+        for name in ("coacd", "resource", "numpy"):
+            self.write(f"{name}.py", f"open({str(self.folder / 'ran')!r}, 'w')\n")
+        cli.TOOL = self.to_urdf
+        done = self.run_tool("bot.urdf", "--collision", "parts", "-o", "out.urdf", "--max-seconds", "60",
+                             environment={"PYTHONPATH": str(self.folder / "nowhere")})
+        self.assertIn("coacd", done.stderr.lower())
+        self.assertFalse((self.folder / "ran").exists())
+
     def test_meshes_that_coacd_cannot_divide_are_kept_and_named(self):
         for mode, reason in {"fails": "CoACD failed", "crashes": "CoACD was ended by signal 11", "mumbles": "CoACD failed"}.items():
             done = self.convert(self.to_urdf, "--collision", "parts", "-o", "out.urdf", FAKE_COACD=mode)

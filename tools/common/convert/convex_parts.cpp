@@ -13,9 +13,12 @@ namespace smurf::tools {
 namespace {
 
 /// Reads numbers, writes numbers: see text_of() and Answer. CoACD prints to standard output, so
-/// that gets another place. Exit code 3: there is no CoACD.
+/// that gets another place. Modules in the current folder, which may be anybody's, are not run.
+/// Exit code 3: there is no CoACD.
 constexpr const char* kScript = R"(
-import os, sys
+import sys
+sys.path = [folder for folder in sys.path if folder]
+import os
 out = os.fdopen(os.dup(1), "w")
 os.dup2(2, 1)
 words = sys.stdin.buffer.read().split()
