@@ -257,7 +257,8 @@ SceneResult convert_scene(Session& session, LoadedScene& loaded, const SceneRequ
   result.report = std::move(check.report);
   if (check.refusal) {
     result.refusal = std::move(check.refusal);
-  } else if (!result.refusal && names_made_models(loaded.scene, request)) {
+  } else if (names_made_models(loaded.scene, request) &&
+             !(result.refusal && result.refusal.cause == Refusal::Cause::options)) {
     result.text.clear();
     result.refusal = {"is a world, whose models are in no files of their own, and the result would "
                       "name files; choose a format that contains its models, such as sdf or urdf",
