@@ -321,8 +321,9 @@ class AnnotationWriter {
     const std::string names = enumerated(lost);
     reporter_
         .report(rules::sml9304_lost_in_urdf, place,
-                "SMURF has no settings for contacts of MuJoCo, so " + names + " of " +
-                    (count == 1 ? "a shape" : std::to_string(count) + " shapes") + " are lost")
+                "SMURF has no settings for contacts of MuJoCo, so " +
+                    (count == 1 ? "a shape loses " : std::to_string(count) + " shapes lose ") +
+                    names)
         .help("keep the MJCF for them");
   }
 
