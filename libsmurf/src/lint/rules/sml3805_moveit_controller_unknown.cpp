@@ -129,7 +129,7 @@ std::map<std::string_view, std::set<std::string_view>>
 ros1_controllers(const Companions& companions) {
   std::map<std::string_view, std::set<std::string_view>> all;
   for_each_file(
-      companions, CompanionKind::moveit_controllers, [&](const Companion& file, yaml::View root) {
+      companions, CompanionKind::moveit_controllers, [&](const Companion&, yaml::View root) {
         for (const yaml::View member : root) {
           const yaml::View type = member.is_mapping() ? member.find("type") : yaml::View();
           if (!type || !type.is_scalar()) continue;
