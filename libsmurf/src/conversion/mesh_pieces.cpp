@@ -11,7 +11,7 @@
 namespace smurf {
 namespace {
 
-/// Which points triangles connect.
+/// Tells which points are connected by triangles.
 class ConnectedPoints {
  public:
   explicit ConnectedPoints(const CollisionBody& body) : above_(body.points.size()) {

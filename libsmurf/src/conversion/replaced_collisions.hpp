@@ -25,7 +25,7 @@ struct CollisionOutput {
   bool has_capsules = true;  ///< false: only as far as the version of a URDF has them
 };
 
-/// Exchanges the robots of loaded models, and the findings about them, until restore().
+/// Replaces the robots of loaded models, and the findings about them, until restore() is called.
 class ReplacedCollisions {
  public:
   /// All of it must outlive this object.

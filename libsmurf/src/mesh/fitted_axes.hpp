@@ -21,9 +21,6 @@ inline Vector3 unit(const Vector3& vector) {
 /// Axes whose third one is the given unit vector.
 Axes axes_along(const Vector3& direction);
 
-/// The rotation with these columns.
-Quaternion rotation_of(const Axes& axes);
-
 /// The point with these coordinates along the axes.
 inline Vector3 along(const Axes& axes, const Vector3& coordinates) {
   Vector3 point{};

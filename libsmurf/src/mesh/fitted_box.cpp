@@ -7,6 +7,7 @@
 
 #include "base/deadline.hpp"
 #include "base/numbers/exact_math.hpp"
+#include "base/numbers/rotations.hpp"
 #include "mesh/fitted_axes.hpp"
 #include "mesh/fitted_shapes.hpp"
 
@@ -80,7 +81,7 @@ FittedBox box_along(const ConvexMesh& hull, const Axes& axes) {
     middle[i] = (low[i] + high[i]) / 2;
     box.size[i] = high[i] - low[i];
   }
-  box.X_MB = {along(axes, middle), rotation_of(axes)};
+  box.X_MB = {along(axes, middle), from_axes(axes[0], axes[1], axes[2])};
   return box;
 }
 
@@ -124,25 +125,6 @@ Axes axes_along(const Vector3& direction) {
   other[least] = 1;
   const Vector3 first = unit(cross(other, direction));
   return {first, cross(direction, first), direction};
-}
-
-Quaternion rotation_of(const Axes& axes) {
-  // Shepperd's method: the largest of four squares is the divisor.
-  const auto R = [&](std::size_t row, std::size_t column) { return axes[column][row]; };
-  const double trace = R(0, 0) + R(1, 1) + R(2, 2);
-  const std::array<double, 4> squares{trace, R(0, 0), R(1, 1), R(2, 2)};
-  const auto largest = std::max_element(squares.begin(), squares.end()) - squares.begin();
-  Quaternion q;
-  if (largest == 0) {
-    q = {1 + trace, R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1)};
-  } else if (largest == 1) {
-    q = {R(2, 1) - R(1, 2), 1 + 2 * R(0, 0) - trace, R(0, 1) + R(1, 0), R(0, 2) + R(2, 0)};
-  } else if (largest == 2) {
-    q = {R(0, 2) - R(2, 0), R(0, 1) + R(1, 0), 1 + 2 * R(1, 1) - trace, R(1, 2) + R(2, 1)};
-  } else {
-    q = {R(1, 0) - R(0, 1), R(0, 2) + R(2, 0), R(1, 2) + R(2, 1), 1 + 2 * R(2, 2) - trace};
-  }
-  return normalized(q);
 }
 
 FittedBox fitted_box(const ConvexMesh& hull) {

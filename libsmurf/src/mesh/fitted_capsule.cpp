@@ -7,6 +7,7 @@
 
 #include "base/deadline.hpp"
 #include "base/numbers/exact_math.hpp"
+#include "base/numbers/rotations.hpp"
 #include "mesh/fitted_axes.hpp"
 #include "mesh/fitted_shapes.hpp"
 
@@ -135,7 +136,7 @@ FittedCapsule capsule_along(const std::vector<Vector3>& points, const Vector3& d
     best.radius = radius;
     best.length = length;
     best.X_MC = {along(axes, {circle.center[0], circle.center[1], (reach.high + reach.low) / 2}),
-                 rotation_of(axes)};
+                 from_axes(axes[0], axes[1], axes[2])};
     if (length == 0) break;  // a larger ball is no better
   }
   return best;

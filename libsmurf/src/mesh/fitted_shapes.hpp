@@ -15,8 +15,8 @@ struct FittedBox {
   double volume() const { return size[0] * size[1] * size[2]; }
 };
 
-/// The smallest box among those with a face in the plane of a face of the hull, and those along the
-/// axes of the points. It contains all corners of the hull.
+/// The smallest box among those that have a face in the plane of a face of the hull, and the one
+/// along the coordinate axes. It contains all corners of the hull.
 FittedBox fitted_box(const ConvexMesh& hull);
 
 /// A capsule along z of its frame, in the frame M of the points; a ball if its length is 0.

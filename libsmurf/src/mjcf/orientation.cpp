@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/numbers/exact_math.hpp"
+#include "base/numbers/rotations.hpp"
 #include "base/numbers/vectors.hpp"
 #include "base/text/quoted.hpp"
 #include "mjcf/model.hpp"
@@ -14,34 +15,6 @@ namespace {
 constexpr double kSmall = 1e-14;
 double length(const Vector3& v) { return std::sqrt(dot(v, v)); }
 Vector3 scaled(const Vector3& v, double by) { return {v[0] * by, v[1] * by, v[2] * by}; }
-
-Quaternion from_axes(const Vector3& x, const Vector3& y, const Vector3& z) {
-  // Of the four ways to solve for a quaternion, the one that divides by the largest number.
-  const double trace = x[0] + y[1] + z[2];
-  Quaternion q;
-  if (trace > 0) {
-    q.w = 0.5 * std::sqrt(1 + trace);
-    q.x = 0.25 * (y[2] - z[1]) / q.w;
-    q.y = 0.25 * (z[0] - x[2]) / q.w;
-    q.z = 0.25 * (x[1] - y[0]) / q.w;
-  } else if (x[0] > y[1] && x[0] > z[2]) {
-    q.x = 0.5 * std::sqrt(1 + x[0] - y[1] - z[2]);
-    q.w = 0.25 * (y[2] - z[1]) / q.x;
-    q.y = 0.25 * (y[0] + x[1]) / q.x;
-    q.z = 0.25 * (z[0] + x[2]) / q.x;
-  } else if (y[1] > z[2]) {
-    q.y = 0.5 * std::sqrt(1 - x[0] + y[1] - z[2]);
-    q.w = 0.25 * (z[0] - x[2]) / q.y;
-    q.x = 0.25 * (y[0] + x[1]) / q.y;
-    q.z = 0.25 * (z[1] + y[2]) / q.y;
-  } else {
-    q.z = 0.5 * std::sqrt(1 - x[0] - y[1] + z[2]);
-    q.w = 0.25 * (x[1] - y[0]) / q.z;
-    q.x = 0.25 * (z[0] + x[2]) / q.z;
-    q.y = 0.25 * (z[1] + y[2]) / q.z;
-  }
-  return normalized(q);
-}
 
 Quaternion from_euler(const std::array<double, 3>& angles, const std::string& sequence) {
   Quaternion q;

@@ -21,7 +21,7 @@ struct Value {
 
 /// Attributes that belong together.
 struct Need {
-  /// Groups of names. Of one group, none or all are written; else all of at least one group.
+  /// Groups of names. Of a single group, all or none are written; of several, all of at least one.
   std::vector<std::vector<std::string_view>> groups;
 };
 

@@ -30,9 +30,9 @@ struct ProgramRun {
   int signal = 0;  ///< that ended it; 0: none
   std::string output = {};
 };
-/// Runs a program of the PATH with a text as its standard input, and waits. It must read all of
-/// that before it writes; what it writes to standard error is lost. Not on Windows, and not in
-/// WebAssembly.
+/// Runs a program on the PATH with a text as its standard input, and waits until it ends. The
+/// program must read the whole text before it writes; its standard error is discarded. Does
+/// nothing on Windows and in WebAssembly, and says so.
 ProgramRun run_program(const std::string& name, const std::vector<std::string>& arguments,
                        std::string_view input);
 /// The absolute path of a program on the PATH, or "".

@@ -207,7 +207,7 @@ void SceneLosses::report(const SceneThing& thing, const std::vector<FoundThing>&
   if (found.empty()) return;
   const Cell& cell = thing.cells[to_size(column_)];
   const std::string what = std::string(thing.title) + " (" + list(found) + ")";
-  // A cell `partly` states the kept part, which is not the reason for the loss.
+  // The text of a cell `partly` says what is kept, and not why the rest is lost.
   const bool has_reason = !cell.reason.empty() && cell.fate != Fate::partly;
   const std::string reason = has_reason ? ": " + std::string(cell.reason) : "";
   const Span span = found.front().span;
