@@ -1,26 +1,29 @@
 #!/usr/bin/env python3
 """Seeds of the fuzz targets out of the fixtures: seeds.py FIXTURES OUT writes OUT/TARGET/*.
 
-A model or scene of several files becomes one text, with a line `%%% NAME` before each file.
+A model or scene of several files becomes one text, with a line that names it before each file.
 """
 import base64
 import hashlib
 import io
 import json
 import pathlib
+import re
 import struct
 import sys
 import zipfile
 
 LARGEST = 20000  # bytes; libFuzzer makes no progress with large inputs
 MESHES = {".stl", ".obj", ".dae", ".bobj", ".gltf", ".glb"}
+# From the reader of bundles itself: with another mark, a bundle would be one file that nobody can read.
+MARK = re.search(r'kBundleMark = "(.+?)"', (pathlib.Path(__file__).parent / "bundle.hpp").read_text()).group(1).encode()
 YAML = {".yml", ".yaml", ".smurf", ".smurfs", ".smurfa"}
 
 
 def main() -> None:
     fixtures, out = map(pathlib.Path, sys.argv[1:3])
     for target in ("differential_yaml", "differential_urdf", "urdf", "model", "scene", "config", "fixes", "archives", "meshes", "xacro", "imports",
-                   "package", "lsp"):
+                   "package", "schemas", "lsp"):
         (out / target).mkdir(parents=True, exist_ok=True)
 
     def add(target: str, data: bytes) -> None:
@@ -33,6 +36,8 @@ def main() -> None:
         add("xacro", data)
     for data in gltfs():
         add("meshes", data)
+    for data in schemas():
+        add("schemas", data)
     for path in sorted(fixtures.rglob("*")):
         if not path.is_file() or "crashes" in path.parts:
             continue
@@ -69,7 +74,7 @@ def is_mjcf(path: pathlib.Path) -> bool:
 
 def package(folder: pathlib.Path) -> bytes:
     """All texts of a ROS package, in a folder `p`."""
-    return b"".join(b"%%%% p/%s\n" % str(path.relative_to(folder)).encode() + path.read_bytes() + b"\n"
+    return b"".join(file("p/" + str(path.relative_to(folder)), path.read_bytes())
                     for path in sorted(folder.rglob("*")) if path.is_file() and path.suffix not in MESHES)
 
 
@@ -109,9 +114,9 @@ def xacros(table: pathlib.Path) -> list[bytes]:
     found = []
     for row in table.read_text("utf8").split("\n")[1:-1]:
         document, _, *files = map(plain, row.split("\t"))
-        texts = [f'%%% r.urdf.xacro\n<robot name="r" xmlns:xacro="x">{document}</robot>\n']
-        texts += [f"%%% {name}\n{content}\n" for name, content in zip(files[::2], files[1::2])]
-        found.append("".join(texts).encode())
+        texts = [file("r.urdf.xacro", f'<robot name="r" xmlns:xacro="x">{document}</robot>'.encode())]
+        texts += [file(name, content.encode()) for name, content in zip(files[::2], files[1::2])]
+        found.append(b"".join(texts))
     return found
 
 
@@ -137,6 +142,24 @@ def gltfs() -> list[bytes]:
             b"glTF" + struct.pack("<II", 2, 12 + len(binary)) + binary]
 
 
+def schemas() -> list[bytes]:
+    """Each keyword of a JSON schema, with a document that it judges."""
+    values = {"a": [1, 2, 2, {"b": "wheel_1"}], "ab": {"b": 0.5, "c": None}, "wheel": "aaaaaaab", "n": 7}
+    keywords = [
+        {"type": ["object", "null"], "required": ["a", "x"]}, {"enum": [values, 1, "a"]}, {"const": values},
+        {"properties": {"n": {"maximum": 9, "exclusiveMinimum": 0, "multipleOf": 0.5}, "wheel": {"minLength": 3, "maxLength": 9}}},
+        {"patternProperties": {"^(a|ab)+$": {"type": "array"}, "\\w{2,5}": {}}, "additionalProperties": False},
+        {"propertyNames": {"pattern": "^[a-z_]*?(?=l)\\S+$"}, "minProperties": 1, "maxProperties": 3},
+        {"properties": {"a": {"items": [{}, {"type": "integer"}], "additionalItems": {"minimum": 3}, "uniqueItems": True, "maxItems": 3}}},
+        {"properties": {"a": {"contains": {"required": ["b"]}, "items": {"type": ["integer", "object"]}, "minItems": 5}}},
+        {"properties": {"wheel": {"pattern": "(a*)*b$", "format": "date"}}}, {"dependencies": {"a": ["x"], "ab": {"required": ["y"]}}},
+        {"allOf": [{"$ref": "#/definitions/d"}], "definitions": {"d": {"anyOf": [{"$ref": "#/definitions/e"}, False]}, "e": {"not": {}}}},
+        {"oneOf": [{"type": "object"}, {"minProperties": 2}], "if": {"required": ["a"]}, "then": {"maxProperties": 1}, "else": True},
+        {"properties": {"ab": {"$ref": "#"}}, "additionalProperties": {"$ref": "#/properties/ab"}},
+    ]
+    return [file("schema.json", json.dumps(one).encode()) + file("values.yml", json.dumps({"s": values}).encode()) for one in keywords]
+
+
 def archive(folder: pathlib.Path, method: int) -> bytes:
     """The texts of a folder; always the same bytes."""
     target = io.BytesIO()
@@ -147,14 +170,19 @@ def archive(folder: pathlib.Path, method: int) -> bytes:
     return target.getvalue()
 
 
+def file(name: str, text: bytes) -> bytes:
+    """A file of a bundle."""
+    return MARK + name.encode() + b"\n" + text + b"\n"
+
+
 def bundle(entry: pathlib.Path, folder: pathlib.Path, name: str) -> bytes:
     """The entry under `name`, then the texts in its folder, below it, and in ../urdf."""
-    texts = [b"%%%% %s\n" % name.encode() + entry.read_bytes()]
+    texts = [file(name, entry.read_bytes())]
     beside = [*sorted(folder.rglob("*")), *sorted((folder.parent / "urdf").glob("*"))]
     for path in beside:
         if path.is_file() and path != entry and path.suffix in YAML | {".urdf", ".xacro"}:
             relative = path.relative_to(folder) if path.is_relative_to(folder) else "../urdf/" + path.name
-            texts.append(b"\n%%%% %s\n" % str(relative).encode() + path.read_bytes())
+            texts.append(file(str(relative), path.read_bytes()))
     return b"".join(texts)
 
 
