@@ -229,6 +229,24 @@ class Output(FlattenTest):
             self.assertIn(f"'one.smurfs' cannot be converted: {loss}", done.stderr)
             self.write(path, text)
 
+    def test_what_decides_no_pose_can_be_forced(self):
+        """Also for a robot that is given as it is: its findings have their places, as those of a scene have."""
+        text = self.read("models/box.urdf").replace('<link name="base"/>', '<link name="base"><visual><geometry><box size="1 1 1"/>'
+                                                    '</geometry><material name="m"/></visual></link>')
+        self.write("twice.urdf", text.replace('<material name="m"/>', '<material name="m"/><material name="n"/>'))
+        done = self.run_tool("twice.urdf", "--format", "mjcf", "-o", "twice.xml")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for old, new, can_be_forced in [("</robot>", "</robot>\n\0", True), ('size="1 1 1"', 'size="1 1"', True),
+                                        ('xyz="0 0 0.1"', 'xyz="0 0 0.1 0"', False)]:
+            self.assertIn(old, text)
+            self.write("broken.urdf", text.replace(old, new))
+            done = self.run_tool("broken.urdf", "--format", "mjcf", "-o", "broken.xml")
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertEqual("a value cannot be read; see --force; nothing was written" in done.stderr, can_be_forced, done.stderr)
+            done = self.run_tool("broken.urdf", "--format", "mjcf", "-o", "broken.xml", "--force")
+            self.assertEqual(done.returncode, 0 if can_be_forced else 1, done.stderr)
+            self.assertIn("although a value cannot be read" if can_be_forced else "cannot be converted: a value cannot be read", done.stderr)
+
     def test_a_comment_tells_no_pose(self):
         self.write("broken.smurfs", "# smurf-lint: ignore-file[SML5101] known\n" + BROKEN)
         for options in ((), ("--force",)):

@@ -30,6 +30,10 @@ std::optional<std::string> loss_in_model(const Diagnostic& finding);
 std::optional<std::string> loss_in_scene(const Diagnostic& finding, const LinkedScene& scene,
                                          const SourceMap& sources);
 
+/// Whether a scene can be written although a finding has a loss: a value of a robot that cannot be
+/// read counts as absent, unless a pose needs it. Not for a number that is not finite.
+bool can_be_forced(const Diagnostic& finding);
+
 /// Whether a finding says that a file is not there which an MJCF or SDF needs; all else is read.
 bool is_about_missing_part(const Diagnostic& finding);
 

@@ -21,6 +21,7 @@
 #include "conversion/scene_assets.hpp"
 #include "link/imported_world.hpp"
 #include "smurf/conversion.hpp"
+#include "smurf/lint.hpp"
 #include "smurf/result_losses.hpp"
 
 namespace smurf {
@@ -38,11 +39,17 @@ bool has_falling_robots(const FlatScene& flat) {
          std::none_of(flat.instances.begin(), flat.instances.end(), is_fixed_thing);
 }
 
-/// Why a finding of loading leaves a pose unknown. A comment suppresses the finding, but does not
-/// make the pose known.
-std::string first_loss(const LoadedScene& loaded) {
+/// Why a finding of loading would make the result wrong; with `force`, only what cannot be forced.
+/// A comment suppresses the finding, but does not make the value known.
+std::string first_loss(const LoadedScene& loaded, bool force) {
+  std::vector<Diagnostic> errors;
   for (const Diagnostic& finding : loaded.found.diagnostics()) {
-    if (is_about_missing_part(finding)) continue;  // the rest is known
+    if (finding.severity != Severity::error) continue;
+    if (!is_about_missing_part(finding)) errors.push_back(finding);  // the rest is known
+  }
+  locate(loaded.scene, errors);
+  for (const Diagnostic& finding : errors) {
+    if (force && can_be_forced(finding)) continue;
     if (const auto loss = loss_in_scene(finding, loaded.scene, *loaded.sources)) return *loss;
   }
   return {};
@@ -207,14 +214,15 @@ SceneCheck convert_checked(Session& session, LoadedScene& loaded, bool force,
                            const Convert& convert, std::vector<Diagnostic>* losses = nullptr) {
   DiagnosticSink before = loaded.found;
   std::string late;
-  if (first_loss(loaded).empty()) {
+  if (first_loss(loaded, force).empty()) {
     const std::uint64_t seconds = max_seconds_of(loaded);
     run_in_time(seconds, convert, [&] {
       late = "that takes more than " + std::to_string(seconds) +
              " s of processor time; allow more with `--max-seconds N`";
     });
   }
-  const std::string loss = late.empty() ? first_loss(loaded) : late;
+  const std::string loss = late.empty() ? first_loss(loaded, force) : late;
+  const bool is_forcible = late.empty() && first_loss(loaded, true).empty();
   SceneCheck check{session.check(loaded), {}};
   if (losses != nullptr) {
     const auto& found = loaded.found.diagnostics();
@@ -226,7 +234,7 @@ SceneCheck convert_checked(Session& session, LoadedScene& loaded, bool force,
     return loss_in_scene(finding, loaded.scene, *loaded.sources);
   });
   if (!loss.empty()) {
-    check.refusal = {"cannot be converted: " + loss, Refusal::Cause::findings};
+    check.refusal = {"cannot be converted: " + loss, Refusal::Cause::findings, is_forcible};
   }
   return check;
 }

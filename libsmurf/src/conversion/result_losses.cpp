@@ -29,6 +29,14 @@ bool is_about_look(const Diagnostic& finding) {
   return finding.pointer.find("/material") != std::string::npos;
 }
 
+bool is_not_finite(const Rule& rule) {
+  return &rule == &rules::sml1803_number_nan || &rule == &rules::sml1804_number_infinite;
+}
+
+/// Blanks before the declaration: strict readers of XML refuse the file, but nothing of it is
+/// unknown.
+bool is_read_anyway(const Rule& rule) { return &rule == &rules::sml1005_xml_junk_before_prolog; }
+
 std::optional<std::string> loss_in_robot(const Diagnostic& finding) {
   if (is_about_missing_part(finding)) {
     return finding.rule == &rules::sml9302_mjcf_file_missing ? "masses of the robot are unknown"
@@ -72,8 +80,7 @@ std::optional<std::string> loss_in_text(const Diagnostic& finding, const UrdfExp
     return "the result would not be XML";
   }
   // The urdfdom that checks the result may accept what other versions refuse.
-  if (finding.rule == &rules::sml1803_number_nan ||
-      finding.rule == &rules::sml1804_number_infinite) {
+  if (is_not_finite(*finding.rule)) {
     return "the result would contain a number that is not finite";
   }
   const Fact* fact = find_fact(readers::urdfdom, finding);
@@ -150,7 +157,7 @@ std::optional<std::string> loss_in_scene(const Diagnostic& finding, const Linked
   if (&rule == &rules::sml5034_old_scene_file_missing) return std::nullopt;
   switch (input_kind(sources.path(finding.span.source))) {
   case InputKind::resource: return std::nullopt;
-  case InputKind::urdf: return loss_in_robot(finding);
+  case InputKind::urdf: return is_read_anyway(rule) ? std::nullopt : loss_in_robot(finding);
   case InputKind::annotation:
     // Named poses are the only annotations that decide where a link is.
     if (rule.id.starts_with("SML0")) return "a file cannot be read";
@@ -162,6 +169,16 @@ std::optional<std::string> loss_in_scene(const Diagnostic& finding, const Linked
   case InputKind::other: break;
   }
   return "some poses are unknown";
+}
+
+bool can_be_forced(const Diagnostic& finding) {
+  if (!is_unread(*finding.rule) || finding.rule->blocks_building || is_not_finite(*finding.rule)) {
+    return false;
+  }
+  // Behind the end of the robot.
+  if (finding.rule == &rules::sml0004_control_character && finding.pointer.empty()) return true;
+  return finding.pointer.starts_with("/robot/") &&
+         finding.pointer.find("/origin") == std::string::npos;
 }
 
 bool is_about_missing_part(const Diagnostic& finding) {

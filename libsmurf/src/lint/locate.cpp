@@ -132,6 +132,8 @@ void locate(const Companions& companions, std::span<Diagnostic> diagnostics) {
 
 void locate(const LinkedScene& scene, std::span<Diagnostic> diagnostics) {
   BySource found(diagnostics);
+  // A robot that is given as a scene has one file for both, which the scene has not read.
+  for (const LinkedModel& model : scene.models) locate_in(model, found);
   for (const SceneFile& file : scene.scenes) {
     if (file.drawing) {
       locate_in(*file.drawing, found);
@@ -144,7 +146,6 @@ void locate(const LinkedScene& scene, std::span<Diagnostic> diagnostics) {
       point(*diagnostic, file.document);
     }
   }
-  for (const LinkedModel& model : scene.models) locate_in(model, found);
 }
 
 }  // namespace smurf
