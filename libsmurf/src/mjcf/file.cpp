@@ -2,6 +2,8 @@
 #include "mjcf/file.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <set>
 
 #include "base/files/path.hpp"
@@ -387,6 +389,12 @@ double Settings::number(std::string_view name, double usual, Reporter& reporter)
   if (found == nullptr) return usual;
   const auto numbers = numbers_of(*found, 1, 1, reporter);
   return numbers.empty() ? usual : numbers.front();
+}
+
+std::int32_t Settings::integer(std::string_view name, std::int32_t usual,
+                               Reporter& reporter) const {
+  const double value = number(name, usual, reporter);
+  return std::fabs(value) <= kLargestInteger ? static_cast<std::int32_t>(value) : usual;
 }
 
 Place Settings::place(std::initializer_list<std::string_view> names) const {

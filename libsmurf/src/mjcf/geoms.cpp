@@ -166,9 +166,9 @@ std::optional<Geom> read_geom(View element, const Surroundings& around, Meshes& 
   s.numbers("size", geom.size, 0, reporter);
   geom.pose = pose_of(s, file.compiler(), reporter);
   if (s.has("fromto")) read_fromto(s, geom, reporter);
-  geom.group = static_cast<int>(s.number("group", 0, reporter));
-  geom.contype = static_cast<std::int64_t>(s.number("contype", 1, reporter));
-  geom.conaffinity = static_cast<std::int64_t>(s.number("conaffinity", 1, reporter));
+  geom.group = s.integer("group", 0, reporter);
+  geom.contype = s.integer("contype", 1, reporter);
+  geom.conaffinity = s.integer("conaffinity", 1, reporter);
   read_colour(s, geom, reporter);
   geom.mesh = s.text("mesh");
   bool is_shell = false;

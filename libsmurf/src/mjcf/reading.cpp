@@ -15,8 +15,6 @@ namespace {
 
 constexpr std::string_view kSeparators = " \t\r\n\v\f";
 
-constexpr double kLargestInteger = 2147483647;
-
 std::vector<std::string_view> words_in(std::string_view text) {
   std::vector<std::string_view> words;
   while (true) {

@@ -40,6 +40,7 @@ using imports::words_of;
 /// The numbers of an attribute; reports what MuJoCo refuses, and returns those before.
 std::vector<double> numbers_of(const Attribute& attribute, std::size_t least, std::size_t most,
                                Reporter& reporter);
+inline constexpr double kLargestInteger = 2147483647;
 /// The same for integers: "1.0" is none.
 void integers_of(const Attribute& attribute, std::size_t least, std::size_t most,
                  Reporter& reporter);
