@@ -37,12 +37,21 @@ bool is_not_finite(const Rule& rule) {
 /// unknown.
 bool is_read_anyway(const Rule& rule) { return &rule == &rules::sml1005_xml_junk_before_prolog; }
 
+/// By the families of rules, whose ids begin alike.
+std::string why_not_built(const Rule& rule) {
+  if (&rule == &rules::sml1009_xacro_residue) return "it contains xacro that nobody has expanded";
+  if (rule.id.starts_with("SML33")) return "its xacro cannot be expanded";
+  if (rule.id.starts_with("SML10")) return "its XML cannot be read";
+  if (&rule == &rules::sml1115_no_links) return "it has no link";
+  return "its links and joints do not form a valid robot";
+}
+
 std::optional<std::string> loss_in_robot(const Diagnostic& finding) {
   if (is_about_missing_part(finding)) {
     return finding.rule == &rules::sml9302_mjcf_file_missing ? "masses of the robot are unknown"
                                                              : "a part of it is not there";
   }
-  if (finding.rule->blocks_building) return "its links and joints do not form a valid robot";
+  if (finding.rule->blocks_building) return why_not_built(*finding.rule);
   if (is_unread(*finding.rule) && !is_about_look(finding)) return "a value cannot be read";
   return std::nullopt;
 }
