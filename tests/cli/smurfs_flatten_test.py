@@ -50,6 +50,27 @@ class FlattenTest(cli.CliTest):
 
 
 class Result(FlattenTest):
+    def test_joint_pose_sets_are_keyframes_of_mjcf(self):
+        """In each robot alone, with the commands that hold it; a joint that is not named is at zero, as in SMURF."""
+        joint = ('<joint name="{0}" type="revolute"><parent link="a"/><child link="{0}_link"/><axis xyz="0 0 1"/>'
+                 '<limit lower="-2" upper="2" effort="9" velocity="1"/></joint><link name="{0}_link"><inertial><mass value="1"/>'
+                 '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>')
+        self.write("r.urdf", f'<robot name="r"><link name="a"/>{joint.format("hip")}{joint.format("knee")}</robot>')
+        self.write("r_poses.yml", "poses:\n- {name: sit, joints: {hip: 0.5, knee: -1.5}}\n- {name: lean, joints: {knee: 0.25}}\n")
+        self.write("r.smurf", "modelname: r\nfiles: [r.urdf, r_poses.yml]\n")
+        self.write("two.smurfs", "entities:\n- {name: A, file: r.smurf, anchor: world, pose: sit}\n- {name: B, file: r.smurf, anchor: world}\n")
+        self.expect(0, "-q", "--format", "mjcf", "--actuator", "position", "-o", "two.xml", "two.smurfs")
+        keys = xml.etree.ElementTree.parse(self.folder / "two.xml").findall("keyframe/key")
+        self.assertEqual([(key.get("name"), key.get("qpos"), key.get("ctrl")) for key in keys],
+                         [("initial", "0.5 -1.5 0 0", "0.5 -1.5 0 0"),
+                          ("A/sit", "0.5 -1.5 0 0", "0.5 -1.5 0 0"), ("A/lean", "0 0.25 0 0", "0 0.25 0 0"),
+                          ("B/sit", "0.5 -1.5 0.5 -1.5", "0.5 -1.5 0.5 -1.5"), ("B/lean", "0.5 -1.5 0 0.25", "0.5 -1.5 0 0.25")])
+        entities = "".join(f"- {{name: e{i}, file: r.smurf, anchor: world}}\n" for i in range(400))
+        self.write("many.smurfs", "entities:\n" + entities)
+        done = self.run_tool("many.smurfs", "--format", "mjcf", "--actuator", "position", "-o", "many.xml")
+        self.assertIn("joint pose sets without a keyframe (`sit`, `lean`) are not in the MJCF", done.stderr)
+        self.assertEqual(len(xml.etree.ElementTree.parse(self.folder / "many.xml").findall("keyframe/key")), 1)
+
     def test_a_body_of_mjcf_has_at_most_six_joints(self):
         solid = '<inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial>'
         links = "".join(f'<link name="l{i}">{solid if i in (0, 8) else ""}</link>' for i in range(9))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // MuJoCo: bodies are nested like the kinematic trees, anchored entities are inside the link that
-// holds them, and one keyframe `initial` contains the start position of every joint.
+// holds them, and the keyframe `initial` contains the start position of every joint.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -45,7 +45,7 @@ class MjcfWriter : MjcfLoops {
     add_equalities();
     add_actuators();
     add_sensors();
-    add_keyframe();
+    add_keyframes();
     return finish();
   }
 
@@ -288,7 +288,7 @@ class MjcfWriter : MjcfLoops {
       attributes.emplace_back("pos", join_numbers(part.X_BJ.position));
     if (gains.armature > 0) attributes.emplace_back("armature", format_number(gains.armature));
     xml_.empty("joint", attributes);
-    add_start(format_number(start_of(i, joint)));
+    keys_.add_position(i, joint, start_of(i, joint));
     if (joint.mimic) add_follower(i, model, joint);
     return true;
   }

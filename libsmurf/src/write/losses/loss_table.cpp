@@ -272,7 +272,7 @@ constexpr SceneThing kThings[] = {
     {.title = "joint pose set",
      .of = ThingOf::annotation,
      .in_model = things::entries<&Annotations::poses>,
-     .cells = {kLost, kLost, kLost, kLost, kLost, kKept, kLost, kLost}},
+     .cells = {kLost, kLost, kept("as keyframes"), kLost, kLost, kKept, kLost, kLost}},
     {.title = "submechanism",
      .of = ThingOf::annotation,
      .in_model = things::entries<&Annotations::submechanisms>,
@@ -348,6 +348,12 @@ constexpr SceneThing kThings[] = {
      .cells = {kKept, kKept,
                changed("MuJoCo stretches the red part of the image from the darkest pixel to the "
                        "brightest one"),
+               kKept, kKept, kKept, kKept, kKept}},
+    {.title = kLostPoseSets,
+     .of = ThingOf::scene,
+     .cells = {kKept, kKept,
+               lost("a keyframe has the positions of all joints, which are too many here, or which "
+                    "MuJoCo counts itself"),
                kKept, kKept, kKept, kKept, kKept}},
     {.title = kOddHeights,
      .of = ThingOf::scene,

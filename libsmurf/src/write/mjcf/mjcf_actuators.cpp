@@ -6,7 +6,6 @@
 
 #include "base/numbers/numbers.hpp"
 #include "base/numbers/vectors.hpp"
-#include "link/link_overlaps.hpp"
 #include "write/parts/body_inertia.hpp"
 
 namespace smurf {
@@ -41,23 +40,6 @@ const std::vector<MjcfActuators::Motor>& MjcfActuators::motors_of(std::size_t i)
     if (motor.gains.is_bounded) losses_.note(kBoundedGains, drive.joint->span, *drive.joint->name);
   }
   return known->second;
-}
-
-double MjcfActuators::start_of(std::size_t i, const urdf::Joint& joint) {
-  const LinkedModel& model = *robot_of(i);
-  const JointPositions& given = scene_.joint_positions(i);
-  if (scene_.motors.kind != MotorKind::automatic) return start_position(model, joint, given);
-  const auto [known, is_new] = starts_.try_emplace({&model, flat(i).joint_pose});
-  if (is_new) {
-    known->second = given;
-    for (const auto& [name, position] : rest_positions(model)) {
-      const urdf::Joint* bounded = model.find_joint(name);
-      if (bounded == nullptr || bounded->mimic) continue;
-      double& start = known->second[name];
-      if (start == 0) start = position;
-    }
-  }
-  return start_position(model, joint, known->second);
 }
 
 DriveGains MjcfActuators::gains_of(std::size_t i, const urdf::Joint& joint) {
@@ -99,6 +81,7 @@ void MjcfActuators::add_actuator(std::size_t i, const Motor& motor) {
     actuator.emplace_back(range, std::move(numbers));
   };
   double command = 0;
+  const urdf::Joint* placed = nullptr;
   if (drive.kind == DriveKind::effort) {
     if (drive.effort) limit("ctrllimited", "ctrlrange", around_zero(*drive.effort));
     xml_.empty("motor", actuator);
@@ -108,7 +91,8 @@ void MjcfActuators::add_actuator(std::size_t i, const Motor& motor) {
     actuator.emplace_back("gainprm", format_number(is_position ? gains.kp : gains.kv));
     actuator.emplace_back("biasprm", join_numbers({0, -gains.kp, -gains.kv}));
     if (is_position) {
-      command = start_of(i, *drive.joint);
+      placed = drive.joint;
+      command = start_of(i, *placed);
       if (drive.lower && drive.upper && *drive.lower < *drive.upper) {
         limit("ctrllimited", "ctrlrange", join_numbers({*drive.lower, *drive.upper}));
       }
@@ -118,7 +102,7 @@ void MjcfActuators::add_actuator(std::size_t i, const Motor& motor) {
     if (drive.effort) limit("forcelimited", "forcerange", around_zero(*drive.effort));
     xml_.empty("general", actuator);
   }
-  commands_ += (commands_.empty() ? "" : " ") + format_number(command);
+  keys_.add_command(i, placed, command);
 }
 
 void MjcfActuators::append_driven_followers(std::vector<MjcfFollower>& followers) const {

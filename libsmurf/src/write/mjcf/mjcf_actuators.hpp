@@ -26,9 +26,6 @@ class MjcfActuators : protected MjcfParts {
   /// <actuator>, and the commands in the keyframe that keep the start position.
   void add_actuators();
   void append_driven_followers(std::vector<MjcfFollower>& followers) const;
-  /// The start position of a joint. With automatic motors, which would have to hold it, a joint
-  /// whose zero is out of its limits starts at the nearest one, unless the scene says where.
-  double start_of(std::size_t instance, const urdf::Joint& joint);
   /// The numbers of the motor of a joint; zero if it has none.
   DriveGains gains_of(std::size_t instance, const urdf::Joint& joint);
 
@@ -44,7 +41,6 @@ class MjcfActuators : protected MjcfParts {
   void add_actuator(std::size_t instance, const Motor& motor);
 
   std::map<Start, std::vector<Motor>> motors_;
-  std::map<std::pair<const LinkedModel*, JointPoseIndex>, JointPositions> starts_;
 };
 
 }  // namespace smurf

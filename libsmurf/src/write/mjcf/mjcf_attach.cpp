@@ -39,7 +39,7 @@ class AttachWriter : MjcfParts {
     }
     xml_.close();
     add_welds();
-    if (has_keyframe_) add_keyframe();
+    has_keyframe_ ? add_keyframes() : lose_pose_sets();
     return finish();
   }
 
@@ -110,7 +110,7 @@ class AttachWriter : MjcfParts {
       if (const auto joint = model.tree.parent_joint[link]) {
         const urdf::Joint& parent = model.joint(*joint);
         if (parent.has_one_axis()) {
-          add_start(format_number(start_position(model, parent, scene_.joint_positions(i))));
+          keys_.add_position(i, parent, start_of(i, parent));
         }
       }
       const std::vector<JointIndex>& joints = model.tree.child_joints[link];

@@ -8,6 +8,8 @@
 #include "base/numbers/numbers.hpp"
 #include "base/text/quoted.hpp"
 #include "base/text/unique_names.hpp"
+#include "link/kinematics.hpp"
+#include "link/link_overlaps.hpp"
 #include "write/parts/body_inertia.hpp"
 #include "write/parts/height_range.hpp"
 
@@ -269,16 +271,53 @@ bool MjcfParts::is_png(const std::string& file) const {
 
 void MjcfParts::add_free_joint(const std::string& name, const Pose& X_WB) {
   xml_.empty("joint", {{"name", name}, {"type", "free"}});
-  add_start(join_numbers(X_WB.position) + " " + quaternion_text(X_WB.orientation));
+  keys_.add_free(join_numbers(X_WB.position) + " " + quaternion_text(X_WB.orientation));
 }
 
-void MjcfParts::add_keyframe() {
-  if (start_.empty()) return;
-  xml_.open("keyframe");
-  std::vector<XmlText::Attribute> key{{"name", "initial"}, {"qpos", start_}};
-  if (!commands_.empty()) key.emplace_back("ctrl", commands_);
-  xml_.empty("key", key);
-  xml_.close();
+double MjcfParts::start_of(std::size_t i, const urdf::Joint& joint) {
+  const LinkedModel& model = *robot_of(i);
+  const auto [known, is_new] = starts_.try_emplace({&model, flat(i).joint_pose});
+  if (is_new) known->second = held(model, scene_.joint_positions(i));
+  return start_position(model, joint, known->second);
+}
+
+JointPositions MjcfParts::held(const LinkedModel& model, JointPositions given) const {
+  if (scene_.motors.kind != MotorKind::automatic) return given;
+  for (const auto& [name, position] : rest_positions(model)) {
+    const urdf::Joint* bounded = model.find_joint(name);
+    if (bounded == nullptr || bounded->mimic) continue;
+    double& start = given[name];
+    if (start == 0) start = position;
+  }
+  return given;
+}
+
+void MjcfParts::add_keyframes() {
+  std::vector<MjcfKeys::Posed> sets;
+  for (std::size_t i = 0; i < count(); ++i) {
+    const LinkedModel* model = robot_of(i);
+    if (model == nullptr || !flat(i).X_WE) continue;
+    for (const JointPoseSet& set : model->annotations.poses) {
+      if (!set.name) continue;
+      sets.push_back({i, name(i, *set.name), held(*model, to_joint_positions(*model, set))});
+    }
+  }
+  if (!keys_.has_room_for(sets.size())) {
+    sets.clear();
+    lose_pose_sets();
+  }
+  keys_.write(xml_, sets,
+              [&](std::size_t i, const urdf::Joint& joint, const JointPositions& positions) {
+                return start_position(*robot_of(i), joint, positions);
+              });
+}
+
+void MjcfParts::lose_pose_sets() {
+  for (const LinkedModel& model : scene_.scene.models) {
+    for (const JointPoseSet& set : model.annotations.poses) {
+      if (set.name) losses_.note(kLostPoseSets, set.name.span, *set.name);
+    }
+  }
 }
 
 std::string MjcfParts::finish() {

@@ -5,9 +5,11 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/text/unique_names.hpp"
 #include "write/losses/scene_losses.hpp"
+#include "write/mjcf/mjcf_keys.hpp"
 #include "write/mjcf/mjcf_meshes.hpp"
 #include "write/parts/contacts.hpp"
 #include "write/parts/gazebo_elements.hpp"
@@ -55,10 +57,13 @@ class MjcfParts {
   void add_free_joint(const std::string& name, const Pose& X_WB);
   /// The spring that `<gazebo>` gives a joint; null if there is none.
   const JointSpring* spring_of(const LinkedModel& model, const urdf::Joint& joint);
-  /// Appends the positions of the next joint, in the order of the joints.
-  void add_start(const std::string& numbers) { start_ += (start_.empty() ? "" : " ") + numbers; }
-  /// One keyframe `initial` with all of these.
-  void add_keyframe();
+  /// The start position of a joint. With automatic motors, which would have to hold it, a joint
+  /// whose zero is out of its limits starts at the nearest one, unless the scene says where.
+  double start_of(std::size_t instance, const urdf::Joint& joint);
+  /// The keyframes: the start, and the joint pose sets of the robots.
+  void add_keyframes();
+  /// Reports the pose sets as lost.
+  void lose_pose_sets();
   /// Losses of the world and of annotations, and the end.
   std::string finish();
 
@@ -67,14 +72,17 @@ class MjcfParts {
   LinkFrames frames_;
   XmlText xml_{scene_.most_bytes};
   UniqueNames geom_names_;
-  std::string start_;     ///< qpos
-  std::string commands_;  ///< ctrl
+  MjcfKeys keys_;
   MjcfMeshes meshes_;
 
  private:
   void add_class(const std::string& name, const std::vector<XmlText::Attribute>& geom);
   bool has_bitmasks_ = false;
   std::map<const LinkedModel*, std::map<std::string_view, JointSpring>> springs_;
+  std::map<std::pair<const LinkedModel*, JointPoseIndex>, JointPositions> starts_;
+
+  /// The positions that joints get, of which a few are given.
+  JointPositions held(const LinkedModel& model, JointPositions given) const;
 
   struct DeclaredHeights {
     std::string name;
