@@ -51,7 +51,8 @@ class FlattenTest(cli.CliTest):
 
 class Result(FlattenTest):
     def test_joint_pose_sets_are_keyframes_of_mjcf(self):
-        """In each robot alone, with the commands that hold it; a joint that is not named is at zero, as in SMURF."""
+        """In each robot alone, with the commands that hold it; a joint that is not named is at zero, as in SMURF. So are
+        states of an SRDF, those of all groups with one name in one key."""
         joint = ('<joint name="{0}" type="revolute"><parent link="a"/><child link="{0}_link"/><axis xyz="0 0 1"/>'
                  '<limit lower="-2" upper="2" effort="9" velocity="1"/></joint><link name="{0}_link"><inertial><mass value="1"/>'
                  '<inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>')
@@ -65,6 +66,13 @@ class Result(FlattenTest):
                          [("initial", "0.5 -1.5 0 0", "0.5 -1.5 0 0"),
                           ("A/sit", "0.5 -1.5 0 0", "0.5 -1.5 0 0"), ("A/lean", "0 0.25 0 0", "0 0.25 0 0"),
                           ("B/sit", "0.5 -1.5 0.5 -1.5", "0.5 -1.5 0.5 -1.5"), ("B/lean", "0.5 -1.5 0 0.25", "0.5 -1.5 0 0.25")])
+        self.write("r.srdf", '<robot name="r"><group name="g"><joint name="hip"/></group><group name="k"><joint name="knee"/></group>'
+                   '<group_state name="up" group="g"><joint name="hip" value="1"/></group_state>'
+                   '<group_state name="up" group="k"><joint name="knee" value="-1"/><joint name="hip" value="1 2"/></group_state></robot>')
+        self.expect(0, "-q", "--format", "mjcf", "-o", "r.xml", "r.urdf", "--base", "fixed")
+        keys = xml.etree.ElementTree.parse(self.folder / "r.xml").findall("keyframe/key")
+        self.assertEqual([(key.get("name"), key.get("qpos")) for key in keys], [("initial", "0 0"), ("r/up", "1 -1")])
+        (self.folder / "r.srdf").unlink()
         entities = "".join(f"- {{name: e{i}, file: r.smurf, anchor: world}}\n" for i in range(400))
         self.write("many.smurfs", "entities:\n" + entities)
         done = self.run_tool("many.smurfs", "--format", "mjcf", "--actuator", "position", "-o", "many.xml")

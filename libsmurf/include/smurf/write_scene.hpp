@@ -81,6 +81,9 @@ struct ChosenMass;
 /// The masses of links whose shapes were replaced: those that they have with the shapes before.
 using KeptMasses = std::map<const urdf::Link*, ChosenMass>;
 
+/// Joint positions of a robot and their names, such as the group states of an SRDF.
+using NamedPositions = std::vector<std::pair<std::string, JointPositions>>;
+
 /// The input of a writer. All of it must outlive the call.
 struct SceneExport {
   const FlatScene& flat;
@@ -92,6 +95,7 @@ struct SceneExport {
   bool ground = false;  ///< add a floor at z = 0; SceneFormat::has_ground
   MotorOptions motors = {};
   OwnContacts contacts = {};
+  std::map<const LinkedModel*, NamedPositions> group_states = {};
   const KeptMasses* kept_masses = nullptr;  ///< null: no shapes were replaced
   bool names_copies = false;                ///< model files in `flat` are copies that will be made
   MeshSource meshes = {};                   ///< for previews; without it, meshes are lost

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -108,6 +109,12 @@ std::vector<TextFile> named_files(std::vector<TextFile> files, std::string_view 
   return files;
 }
 
+std::map<const LinkedModel*, NamedPositions> states_of(SrdfsOfRobots&& srdfs) {
+  std::map<const LinkedModel*, NamedPositions> states;
+  for (auto& [model, srdf] : srdfs) states.emplace(model, std::move(srdf.states));
+  return states;
+}
+
 /// Fills the text and what belongs to it, without the shapes that collisions get. Findings are
 /// added to those of loading.
 void write(Session& session, LoadedScene& loaded, const SceneRequest& request,
@@ -143,8 +150,13 @@ void write(Session& session, LoadedScene& loaded, const SceneRequest& request,
     report_collisions(result.collisions, loaded.found);
   }
   OwnContacts contacts;
+  SrdfsOfRobots srdfs;
   if (format.has_contacts || format.loses_link_pairs) {
-    contacts = own_contacts(request, loaded.scene, *flat, files, limits, loaded.found);
+    for (const LinkedModel& model : loaded.scene.models) {
+      if (!model.robot || model.tree.roots.empty()) continue;
+      srdfs.emplace(&model, robot_srdf(model, request.srdf, files, limits));
+    }
+    contacts = own_contacts(request, loaded.scene, *flat, srdfs, loaded.found);
   }
   MotorOptions motors = request.motors;
   if (format.has_motors) {
@@ -160,6 +172,7 @@ void write(Session& session, LoadedScene& loaded, const SceneRequest& request,
                             .ground = request.ground,
                             .motors = std::move(motors),
                             .contacts = std::move(contacts),
+                            .group_states = states_of(std::move(srdfs)),
                             .kept_masses = &replaced.masses(),
                             .names_copies = !request.assets.empty(),
                             .meshes = mesh_source(flattening, result.copies, files, limits),

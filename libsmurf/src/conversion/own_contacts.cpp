@@ -16,7 +16,6 @@
 #include "base/text/counted.hpp"
 #include "base/text/lists.hpp"
 #include "base/text/quoted.hpp"
-#include "link/disabled_pairs.hpp"
 #include "link/link_overlaps.hpp"
 #include "write/parts/contacts.hpp"
 #include "write/parts/gazebo_elements.hpp"
@@ -135,10 +134,10 @@ class ContactFinder {
 
   SelfCollision choice() const { return choice_; }
 
-  Pairs pairs_of(const LinkedModel& model, const FileReader& files, const Limits& limits) {
+  Pairs pairs_of(const LinkedModel& model, const RobotSrdf& srdf) {
     Pairs pairs;
     if (choice_ == SelfCollision::srdf || choice_ == SelfCollision::as_usual) {
-      add_disabled(model, files, limits, pairs);
+      add_disabled(model, srdf, pairs);
     }
     const SceneFormat& format = request_.format;
     if (format.has_link_pairs && !format.has_bitmasks && !names_models() &&
@@ -171,18 +170,16 @@ class ContactFinder {
     return request_.form == SceneForm::reference && request_.format.has_expanded_form;
   }
 
-  void add_disabled(const LinkedModel& model, const FileReader& files, const Limits& limits,
-                    Pairs& pairs) {
-    DisabledPairs disabled = disabled_pairs(model, request_.srdf, files, limits);
-    if (disabled.file.empty()) {
+  void add_disabled(const LinkedModel& model, const RobotSrdf& srdf, Pairs& pairs) {
+    pairs = srdf.pairs;
+    if (srdf.file.empty()) {
       for (const auto& [link, other] : model.excluded) {
         const auto a = model.link_names.find(link);
         const auto b = model.link_names.find(other);
-        if (a && b && *a != *b) disabled.pairs.insert(std::minmax<std::size_t>(*a, *b));
+        if (a && b && *a != *b) pairs.insert(std::minmax<std::size_t>(*a, *b));
       }
-      disabled.file = model.urdf_path;
     }
-    pairs = std::move(disabled.pairs);
+    const std::string& file = srdf.file.empty() ? model.urdf_path : srdf.file;
     if (pairs.empty() && !request_.srdf.empty()) {
       losses_.report(rules::sml8212_chosen_value, place_of(model),
                      quoted(request_.srdf) + " disables no pair of links of " + quoted(model.path));
@@ -191,13 +188,13 @@ class ContactFinder {
     if (names_models()) {
       losses_.report(rules::sml8211_lost_part, place_of(model),
                      counted(pairs.size(), "pair") + " of links of " + quoted(model.path) +
-                         " can touch, which " + quoted(disabled.file) +
+                         " can touch, which " + quoted(file) +
                          " disables: the result names the URDF; --form expand keeps them apart");
       return;
     }
     losses_.report(rules::sml8212_chosen_value, place_of(model),
                    counted(pairs.size(), "pair") + " of links of " + quoted(model.path) +
-                       " cannot touch: " + quoted(disabled.file) + " disables them");
+                       " cannot touch: " + quoted(file) + " disables them");
   }
 
   void add_separated(const LinkedModel& model, Pairs& pairs) {
@@ -240,13 +237,14 @@ class ContactFinder {
 }  // namespace
 
 OwnContacts own_contacts(const SceneRequest& request, const LinkedScene& scene,
-                         const FlatScene& flat, const FileReader& files, const Limits& limits,
+                         const FlatScene& flat, const SrdfsOfRobots& srdfs,
                          DiagnosticSink& losses) {
   ContactFinder finder(request, scene, flat, losses);
   OwnContacts contacts{.choice = finder.choice(), .left_out = {}};
   for (const LinkedModel& model : scene.models) {
-    if (!model.robot || model.tree.roots.empty()) continue;
-    const Pairs pairs = finder.pairs_of(model, files, limits);
+    const auto srdf = srdfs.find(&model);
+    if (srdf == srdfs.end()) continue;
+    const Pairs pairs = finder.pairs_of(model, srdf->second);
     if (!pairs.empty()) contacts.left_out[&model] = {pairs.begin(), pairs.end()};
   }
   return contacts;

@@ -3,13 +3,18 @@
 // overlap at the start.
 #pragma once
 
+#include <map>
+
+#include "link/robot_srdf.hpp"
 #include "smurf/conversion.hpp"
 
 namespace smurf {
 
-/// The contacts of a scene. Reports what is left out, and pairs that overlap at the start.
+using SrdfsOfRobots = std::map<const LinkedModel*, RobotSrdf>;
+
+/// The contacts of the robots with an entry in `srdfs`. Reports what is left out, and pairs that
+/// overlap at the start.
 OwnContacts own_contacts(const SceneRequest& request, const LinkedScene& scene,
-                         const FlatScene& flat, const FileReader& files, const Limits& limits,
-                         DiagnosticSink& losses);
+                         const FlatScene& flat, const SrdfsOfRobots& srdfs, DiagnosticSink& losses);
 
 }  // namespace smurf

@@ -301,6 +301,11 @@ void MjcfParts::add_keyframes() {
       if (!set.name) continue;
       sets.push_back({i, name(i, *set.name), held(*model, to_joint_positions(*model, set))});
     }
+    const auto states = scene_.group_states.find(model);
+    if (states == scene_.group_states.end()) continue;
+    for (const auto& [state, positions] : states->second) {
+      sets.push_back({i, name(i, state), held(*model, positions)});
+    }
   }
   if (!keys_.has_room_for(sets.size())) {
     sets.clear();
@@ -316,6 +321,11 @@ void MjcfParts::lose_pose_sets() {
   for (const LinkedModel& model : scene_.scene.models) {
     for (const JointPoseSet& set : model.annotations.poses) {
       if (set.name) losses_.note(kLostPoseSets, set.name.span, *set.name);
+    }
+    const auto states = scene_.group_states.find(&model);
+    if (states == scene_.group_states.end()) continue;
+    for (const auto& [state, positions] : states->second) {
+      losses_.note(kLostPoseSets, {model.robot->document.source, 0, 0}, state);
     }
   }
 }
