@@ -149,18 +149,19 @@ void write(Session& session, LoadedScene& loaded, const SceneRequest& request,
     if (result.refusal) return;
     report_collisions(result.collisions, loaded.found);
   }
+  OwnCompanions companions(session, loaded);
   OwnContacts contacts;
   SrdfsOfRobots srdfs;
   if (format.has_contacts || format.loses_link_pairs) {
     for (const LinkedModel& model : loaded.scene.models) {
       if (!model.robot || model.tree.roots.empty()) continue;
-      srdfs.emplace(&model, robot_srdf(model, request.srdf, files, limits));
+      srdfs.emplace(&model, robot_srdf(model, request.srdf, companions));
     }
     contacts = own_contacts(request, loaded.scene, *flat, srdfs, loaded.found);
   }
   MotorOptions motors = request.motors;
   if (format.has_motors) {
-    result.refusal = add_controllers(session, loaded, request, motors);
+    result.refusal = add_controllers(loaded, request, companions, motors);
     if (result.refusal) return;
   }
   const SceneExport written{.flat = *flat,

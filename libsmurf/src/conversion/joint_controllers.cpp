@@ -10,7 +10,6 @@
 #include "base/text/counted.hpp"
 #include "base/text/quoted.hpp"
 #include "base/text/words.hpp"
-#include "link/companions/read_companion.hpp"
 #include "lint/companions/controllers.hpp"
 #include "write/parts/joint_drives.hpp"
 
@@ -160,6 +159,12 @@ std::string_view noun_of(const ControlledJoint& one) {
   }
 }
 
+/// Whether a file is tied to the robot, or is near it and has the names of its joints.
+bool belongs(const Companion& one) {
+  return is_tie(one.evidence) ||
+         (one.evidence <= Evidence::dependency && one.known_names > 0 && one.lost_prefix.empty());
+}
+
 /// The controllers of one model.
 class Chooser {
  public:
@@ -169,9 +174,11 @@ class Chooser {
     }
   }
 
-  /// `declared`: null if the robot must not have the interfaces.
+  /// Those of files that belong to the robot. `declared`: null for a file that the user named,
+  /// which decides; the robot must not have its interfaces.
   void take(const Companions& companions, const SourceMap& sources, const Declared* declared) {
     for_each_controller_file(companions, [&](const ControllerFile& file) {
+      if (declared != nullptr && !belongs(*file.companion)) return;
       for (const RosController& controller : file.controllers) {
         if (controller.section) {
           take(controller, sources.path(file.companion->source), declared);
@@ -255,53 +262,15 @@ class Chooser {
   bool has_found_joints_ = false;
 };
 
-/// A context for reading files without reporting what is wrong in them: smurf-lint does that.
-LoadContext quiet_context(const LoadContext& context, DiagnosticSink& quiet) {
-  LoadContext own{context.sources,  context.files,           quiet,  context.limits,
-                  context.packages, context.package_folders, nullptr};
-  own.read = context.read;
-  own.xacro = context.xacro;
-  own.ties = context.ties;
-  own.package_search = context.package_search;
-  return own;
-}
-
-/// The files of controllers of a robot with all names of its joints, the strongest evidence first.
-Companions own_files(const LinkedModel& model, LoadContext& context) {
-  Companions found = load_companions(model, context);
-  std::erase_if(found.files, [](const Companion& one) {
-    const bool fits = is_tie(one.evidence) || (one.evidence <= Evidence::dependency &&
-                                               one.known_names > 0 && one.lost_prefix.empty());
-    return one.kind != CompanionKind::controllers || !fits;
-  });
-  std::stable_sort(found.files.begin(), found.files.end(),
-                   [](const auto& a, const auto& b) { return a.evidence < b.evidence; });
-  return found;
-}
-
-/// The file that the user named; none if it has no controllers.
-std::optional<Companions> named_file(const std::string& path, LoadContext& context) {
-  const FileContent content = context.files.read(path, context.limits.file_bytes);
-  if (content.status != ReadStatus::ok) return std::nullopt;
-  const CompanionSpec* spec = find_companion_kind(path, content.text);
-  if (spec == nullptr || spec->kind != CompanionKind::controllers) return std::nullopt;
-  auto companion = CompanionReader(context).read(path, *spec);
-  if (!companion || companion->is_broken) return std::nullopt;
-  Companions found;
-  found.files.push_back(std::move(*companion));
-  return found;
-}
-
 }  // namespace
 
-Refusal add_controllers(Session& session, LoadedScene& loaded, const SceneRequest& request,
+Refusal add_controllers(LoadedScene& loaded, const SceneRequest& request, OwnCompanions& companions,
                         MotorOptions& motors) {
   if (request.controllers == kNoControllers) return {};
-  DiagnosticSink quiet(session.limits());
-  LoadContext context = quiet_context(session.context_of(loaded), quiet);
   std::optional<Companions> named;
   if (!request.controllers.empty()) {
-    named = named_file(request.controllers, context);
+    auto file = companions.named(request.controllers, CompanionKind::controllers);
+    if (file) named.emplace().files.push_back(std::move(*file));
     if (!named) {
       return {"cannot be converted: " + quoted(request.controllers) +
                   " is no parameter file with controllers of ros2_control",
@@ -313,10 +282,10 @@ Refusal add_controllers(Session& session, LoadedScene& loaded, const SceneReques
     if (!model.robot || model.robot->joints.empty()) continue;
     Chooser chooser(model, motors);
     if (named) {
-      chooser.take(*named, context.sources, nullptr);
+      chooser.take(*named, companions.sources(), nullptr);
     } else {
       const Declared declared = declared_interfaces(model);
-      chooser.take(own_files(model, context), context.sources, &declared);
+      chooser.take(companions.of(model), companions.sources(), &declared);
     }
     has_found_joints = has_found_joints || chooser.has_found_joints();
     if (chooser.is_empty()) continue;

@@ -2,6 +2,7 @@
 // Which controllers of ros2_control command the joints of a scene, and with which gains.
 #pragma once
 
+#include "conversion/own_companions.hpp"
 #include "smurf/conversion.hpp"
 
 namespace smurf {
@@ -11,7 +12,7 @@ namespace smurf {
 /// the file with the stronger evidence, in the order of a file. SMURF motors that state gains, and
 /// a kind that `motors` asks for, are kept. Reports what was chosen; refuses a file without
 /// controllers of these joints.
-Refusal add_controllers(Session& session, LoadedScene& loaded, const SceneRequest& request,
+Refusal add_controllers(LoadedScene& loaded, const SceneRequest& request, OwnCompanions& companions,
                         MotorOptions& motors);
 
 }  // namespace smurf

@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "link/robot_srdf.hpp"
+#include "conversion/robot_srdf.hpp"
 #include "smurf/conversion.hpp"
 
 namespace smurf {
