@@ -65,6 +65,15 @@ class Motors(reader.ReaderTest):
         # The rest of the damping is at the joint, and lets it reach its largest speed.
         self.assertIn('damping="30"', world.read_text())
 
+    def test_placeholder_of_a_mass_with_a_strong_motor(self):
+        """MuJoCo takes the acceleration for a failure. Frames at the link have no mass in the MJCF, so they do not help."""
+        frames = "".join(f'<link name="{name}"/><joint name="to_{name}" type="fixed"><parent link="flange"/><child link="{name}"/></joint>'
+                         for name in ("tool0", "sensor"))
+        robot = body("base", 0.03, 5) + joint("j", "base", "flange", 105) + body("flange", 1e-9, 1e-6) + frames + control("j")
+        world, _ = self.world(robot)
+        self.assertIn('armature="1.04e-07"', world.read_text())
+        self.assert_arrives(world, 1)
+
     def test_strong_motor_of_a_heavy_link_is_as_before(self):
         robot = body("base", 0.03, 5) + joint("j", "base", "arm", 50, 5) + body("arm", 2, 10) + control("j")
         world, _ = self.world(robot)

@@ -7,9 +7,19 @@
 #include "base/numbers/numbers.hpp"
 #include "base/numbers/vectors.hpp"
 #include "write/parts/body_inertia.hpp"
+#include "write/parts/joint_chain.hpp"
 
 namespace smurf {
 namespace {
+
+/// Whether the body of a link has a mass in the result: its own, or the one that MuJoCo needs where
+/// something moves.
+bool has_mass(const LinkedModel& model, std::size_t link, bool is_free) {
+  if (inertial_of(model.robot->links[link])) return true;
+  const std::optional<JointIndex> above = model.tree.parent_joint[link];
+  const bool moves = above ? model.joint(*above).has_one_axis() : is_free;
+  return moves && !carries_mass(model, link);
+}
 
 std::string around_zero(double most) { return join_numbers({-most, most}); }
 
@@ -22,9 +32,12 @@ const std::vector<MjcfActuators::Motor>& MjcfActuators::motors_of(std::size_t i)
   if (!is_new) return known->second;
   const std::vector<JointDrive> drives = joint_drives(model, scene_.motors);
   if (drives.empty()) return known->second;
-  std::vector<std::optional<LinkInertial>> masses;
-  for (const urdf::Link& link : model.robot->links)
-    masses.push_back(link_mass(scene_, model, link).mass);
+  std::vector<std::optional<LinkInertial>> masses(model.robot->links.size());
+  for (std::size_t link = 0; link < masses.size(); ++link) {
+    if (has_mass(model, link, is_free)) {
+      masses[link] = link_mass(scene_, model, model.robot->links[link]).mass;
+    }
+  }
   const Vector3 gravity = scene_.flat.physics.gravity.value_or(kUsualGravity);
   const std::vector<std::optional<Pose>>& poses = frames_of(scene_, i, frames_);
   const std::vector<JointInertia> inertias =

@@ -350,6 +350,13 @@ void bound(DriveGains& gains, const JointDrive& drive, const JointInertia& inert
 
 DriveGains gains_of(const JointDrive& drive, const JointInertia& inertia, double step) {
   DriveGains gains = gains_of(drive);
+  // MuJoCo takes an acceleration of 1e10 for a failure. Placeholders of masses, such as 1 mg, have
+  // so little inertia.
+  constexpr double kMostAcceleration = 1e9;  // rad/s^2 or m/s^2
+  const double least_inertia = drive.effort.value_or(0) / kMostAcceleration;
+  if (!drive.armature && inertia.free < least_inertia) {
+    gains.armature = least_inertia - inertia.free;
+  }
   const bool is_of_controller = drive.kind == DriveKind::position && drive.has_gains_of_controller;
   if (is_of_controller) bound(gains, drive, inertia, step);
   const bool is_chosen = drive.kind == DriveKind::position && !drive.kp && !drive.kv;
