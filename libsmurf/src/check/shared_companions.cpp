@@ -43,6 +43,7 @@ std::vector<CompanionFindings::Found> CompanionFindings::finish() {
   for (auto& one_file : files_) {
     auto& entry = one_file.second;  // a lambda cannot capture a part of a structured binding
     std::vector<std::size_t> owners = choose_owners(entry.claims);
+    for (const std::size_t one : owners) owners_.emplace(one_file.first, entry.robots[one].robot);
     // The variants of a configuration are all meant.
     const bool has_variants = std::any_of(owners.begin(), owners.end(), [&](std::size_t one) {
       return entry.robots[one].is_variant;
