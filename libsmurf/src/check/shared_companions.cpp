@@ -27,6 +27,9 @@ Accompanied load_robot(const std::string& path, bool was_found, std::span<const 
     robot.companions = load_companions(robot.model, context);
   } else {
     robot = load_accompanied(path, context);
+    // A URDF that is a xacro without its name has no links, and would take files from the robots.
+    const bool is_empty = robot.model.robot && robot.model.robot->links.empty();
+    if (is_empty && !is_companion_path(path)) robot.companions = {};
   }
   std::map<std::string, std::vector<std::string>> values;  // of arguments
   const std::string id = context.files.identity(robot.model.urdf_path);
