@@ -251,7 +251,9 @@ class ShapeChecker {
     const std::string_view name = child.name();
     if (holds(spec.extensions, name) || name.find(':') != std::string_view::npos) return;
     if (const AttributeSpec* attribute = spec.attribute(name)) {
-      return attribute_as_element(parent, child, attribute->is_required());
+      // `<version>2025-09-17</version>` is that of the robot, not that of URDF.
+      const bool is_of_urdf = name != "version" || trimmed(child.text()).starts_with("1.");
+      if (is_of_urdf) return attribute_as_element(parent, child, attribute->is_required());
     }
     // Robots contain elements of many vendors, so only probable misspellings are reported there.
     std::vector<std::string_view> names;
