@@ -488,7 +488,8 @@ chained:
         self.write(".smurf-lint.yaml", "xacro:\n- file: lamp_description/urdf/lamp.urdf.xacro\n  arguments: {mass: [-1, -2], axis: 0 0 0}\n")
         done = self.expect(1, ".")
         self.assertEqual(done.stdout.count("lamp.urdf.xacro: "), 1, done.stdout)
-        self.assertIn("with mass:=-2", done.stdout)
+        self.assertIn("with mass:=-1", done.stdout)
+        self.assertIn("... and the same in 1 more robot\n", done.stdout)
 
     def test_controllers_that_a_package_exports(self):
         text = CONTROLLERS.replace("    update_rate: 100\n", "    update_rate: 100\n    glow:\n      type: lamp_description/Glow\n") + "glow:\n  ros__parameters: {}\n"

@@ -50,6 +50,13 @@ class Init(cli.CliTest):
         self.write("config/arm.srdf", '<robot name="arm"/>\n')
         self.assertIn("targets moveit, ros, ros2_control", self.expect(0, "--init").stdout)
 
+    def test_what_launch_files_start_are_targets(self):
+        self.write("package.xml", cli.package("arm"))
+        self.write("arm.urdf", cli.ARM_URDF)
+        self.write("launch/arm.launch.py", "Node(package='robot_state_publisher', executable='robot_state_publisher')\n"
+                                           "Node(package='controller_manager', executable='ros2_control_node')\n")
+        self.assertIn("targets ros, ros2_control", self.expect(0, "--init").stdout)
+
     def test_a_repository(self):
         self.write(".git/HEAD", "ref: refs/heads/main\n")
         self.write("arm.urdf", cli.ARM_URDF)

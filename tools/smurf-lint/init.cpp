@@ -50,6 +50,12 @@ constexpr Sign kUses[] = {{"pybullet", "pybullet"},   {"mujoco", "mujoco"},
 constexpr std::string_view kGazebo[] = {"ros_gz_sim", "gazebo_ros", "gz_sim", "ros_ign_gazebo",
                                         "gazebo.launch"};
 
+/// What launch files of ROS 2 start, which the robot itself need not name.
+constexpr Sign kStarted[] = {{"robot_state_publisher", "ros"},
+                             {"ros2_control_node", "ros2_control"},
+                             {"MoveItConfigsBuilder", "moveit"},
+                             {"moveit_ros_move_group", "moveit"}};
+
 /// What is in the folder.
 struct Seen {
   std::map<std::string_view, std::size_t> kinds;  ///< "URDF": 3
@@ -116,6 +122,9 @@ void read_program(const std::string& path, const std::string& name, Seen& seen) 
   for (const std::string_view word : kGazebo) {
     seen.launches_gazebo =
         seen.launches_gazebo || (is_launch && text.find(word) != std::string::npos);
+  }
+  for (const Sign& sign : kStarted) {
+    if (is_launch && text.find(sign.text) != std::string::npos) seen.targets.insert(sign.target);
   }
   for (const Sign& sign : kUses) {
     if ((is_python || is_list) && uses(text, sign.text, is_python)) {

@@ -250,12 +250,10 @@ class ShapeChecker {
   void foreign_child(View parent, View child, const ElementSpec& spec) {
     const std::string_view name = child.name();
     if (holds(spec.extensions, name) || name.find(':') != std::string_view::npos) return;
-    const AttributeSpec* attribute = spec.attribute(name);
-    // As an attribute, which is the version of the language, urdfdom would refuse it.
-    const bool is_version_of_robot = parent.name() == "robot" && name == "version" &&
-                                     !is_one_of(child.text(), {"1.0", "1.1", "1.2"});
-    if (attribute != nullptr && !is_version_of_robot) {
-      return attribute_as_element(parent, child, attribute->is_required());
+    if (const AttributeSpec* attribute = spec.attribute(name)) {
+      // `<version>2025-09-17</version>` is that of the robot, not that of URDF.
+      const bool is_of_urdf = name != "version" || trimmed(child.text()).starts_with("1.");
+      if (is_of_urdf) return attribute_as_element(parent, child, attribute->is_required());
     }
     // Robots contain elements of many vendors, so only probable misspellings are reported there.
     std::vector<std::string_view> names;

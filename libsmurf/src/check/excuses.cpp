@@ -47,9 +47,16 @@ void excuse_names(const Companions& companions, const SourceMap& sources, bool m
   for (const Companion& one : companions.files) files.emplace(one.source, &one);
   std::erase_if(found, [&](Diagnostic& one) {
     const auto file = files.find(one.span.source);
-    if (file == files.end() || !is_about_name(one)) return false;
+    const bool is_about_part = one.rule == &rules::sml3712_controller_unknown_part;
+    if (file == files.end() || (!is_about_name(one) && !is_about_part)) return false;
     if (one.cases.contains(kLostPrefix)) return false;
     const Companion& companion = *file->second;
+    if (is_about_part) {
+      // Sensors of a robot that has few of the joints in the file are those of another one.
+      const bool is_alien = companion.known_names * 2 < companion.names;
+      if (is_alien && may_vary && !is_tie(companion.evidence)) excuse(one);
+      return false;
+    }
     const std::string_view name = sources.text(one.span);
     // An SRDF has one finding about all of them.
     const bool is_of_variant = companion.of_variants.contains(name);

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "base/files/path.hpp"
 #include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
 #include "check/excuses.hpp"
@@ -21,6 +22,15 @@ RobotSize size_of(const urdf::Robot& robot) {
     if (link.inertial) size.mass += link.inertial->mass.value_or(0);
   }
   return size;
+}
+
+/// Whether a URDF lies beside the xacro that it was made of, with some values of its arguments:
+/// files around the robot may be meant for others.
+bool is_made_of_xacro(std::string_view path, const FileReader& files) {
+  if (path::extension(path) != ".urdf") return false;
+  const std::string whole(path);
+  const std::string stem = whole.substr(0, whole.size() - std::string_view(".urdf").size());
+  return files.is_file(whole + ".xacro") || files.is_file(stem + ".xacro");
 }
 
 /// Whoever has a folder checked has not asked for a URDF of the files of other languages in it.
@@ -109,7 +119,8 @@ void PlannedLoader::load_one_robot(const PlannedFile& planned, LoadContext& cont
   outcome.parsed.end_loading(outcome.sources, context.sink);
   outcome.judged =
       judge(robot, outcome.sources, group.selection, context.sink, *context.expansions);
-  if (planned.may_be_part) excuse_arguments(outcome.judged.diagnostics);
+  const bool is_one_value = !planned.is_named && is_made_of_xacro(planned.path, context.files);
+  if (planned.may_be_part || is_one_value) excuse_arguments(outcome.judged.diagnostics);
   const auto excuse = [&](const Companions& companions) {
     const bool may_vary = planned.may_be_part || (has_several_robots && !planned.is_named);
     excuse_names(companions, outcome.sources, may_vary, outcome.judged.diagnostics);
@@ -149,7 +160,8 @@ void PlannedLoader::take_companions(const Companions& companions, const LinkedMo
   for (const Companion& one : companions.files) {
     const std::string file = identity_of(outcome.sources.path(one.source));
     if (model.robot) outcome.companions.emplace(file, claim_of(one, model));
-    outcome.read.insert(file);
+    // An SRDF without its robot is read, and not compared.
+    if (model.robot || !companions.checks_first_only) outcome.read.insert(file);
   }
   for (const SourceId one : companions.surroundings.sources)
     outcome.surroundings.insert(identity_of(outcome.sources.path(one)));

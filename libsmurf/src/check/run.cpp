@@ -292,9 +292,15 @@ class Run {
     RobotAnswers& robot = robots_.emplace_back();
     const std::string shown = shown_arguments(planned);
     robot.path = planned.path + (shown.empty() ? "" : " " + shown);
-    std::vector<Found>& places = places_.emplace_back();
+    robot.is_unknown = !outcome.notes.unknown_robot.empty();
+    OfRobot& of_robot = places_.emplace_back();
+    of_robot.path = planned.path;
     for (const Diagnostic& one : outcome.judged.diagnostics) {
-      places.emplace_back(one.rule, sources_.path(one.span.source), one.span.begin);
+      const std::string file = identity_of(sources_.path(one.span.source));
+      // A launch file starts many things, and its faults are not those of the robot.
+      if (outcome.surroundings.contains(file)) continue;
+      of_robot.places.push_back({{one.rule, sources_.path(one.span.source), one.span.begin},
+                                 outcome.companions.contains(file) ? file : ""});
     }
     if (targets_.empty()) return;
     const RuleSelection& selection = memory_.groups[planned.config].selection;
@@ -306,6 +312,7 @@ class Run {
   }
 
   /// Comments, a baseline and other robots with the same companions may have removed findings.
+  /// Those in a companion count for the robots that it belongs to.
   void note_worst(std::span<const Diagnostic> left) {
     std::map<Found, Severity> severities;
     for (const Diagnostic& one : left) {
@@ -314,9 +321,12 @@ class Run {
       severity = std::max(severity, one.severity);
     }
     for (std::size_t i = 0; i < robots_.size(); ++i) {
-      for (const Found& place : places_[i]) {
-        const auto severity = severities.find(place);
+      for (const Place& place : places_[i].places) {
+        const auto severity = severities.find(place.found);
         if (severity == severities.end()) continue;
+        const bool is_own =
+            place.companion.empty() || shared_.belongs_to(place.companion, places_[i].path);
+        if (!is_own) continue;
         robots_[i].worst = std::max(robots_[i].worst.value_or(Severity::info), severity->second);
       }
     }
@@ -410,8 +420,16 @@ class Run {
   std::vector<RobotAnswers> robots_;
   /// The rule, the path and the byte of a finding.
   using Found = std::tuple<const Rule*, std::string, std::uint32_t>;
-  std::vector<std::vector<Found>> places_;  ///< of each robot
-  std::optional<RobotSize> size_;           ///< see Report
+  struct Place {
+    Found found;
+    std::string companion;  ///< in which it is, by identity; empty for other files
+  };
+  struct OfRobot {
+    std::string path;
+    std::vector<Place> places;
+  };
+  std::vector<OfRobot> places_;    ///< of each robot
+  std::optional<RobotSize> size_;  ///< see Report
 };
 
 }  // namespace

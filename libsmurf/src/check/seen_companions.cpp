@@ -79,7 +79,8 @@ SeenCompanions::helpers(const std::set<std::string>& known,
 }
 
 NotCompared SeenCompanions::judge(const std::string& id, const File& file,
-                                  const std::vector<std::string>& likely) const {
+                                  const std::vector<std::string>& likely,
+                                  const std::string& near) const {
   NotCompared one{file.planned.path, file.seen->what.spec->title, "", ""};
   const std::string tie = "tie it to its robot with `companions` in .smurf-lint.yaml";
   const auto rejected = rejected_.find(id);
@@ -100,6 +101,13 @@ NotCompared SeenCompanions::judge(const std::string& id, const File& file,
                            (best.names == 1 ? " is not known here" : " is known here")
                      : "no robot here has more than " + std::to_string(best.known_names) +
                            " of its " + counted(best.names, "name");
+    one.next = tie;
+  } else if (!near.empty()) {
+    one.reason = file.seen->what.spec->is_xml
+                     ? "it describes neither " + quoted(near) + " nor another robot here"
+                 : file.seen->names.empty()
+                     ? "it names no joint, and no SRDF beside it belongs to a robot here"
+                     : quoted(near) + " has no links with which to compare it";
     one.next = tie;
   } else {
     one.reason = "no robot was found in its package, or in a package that names this one in its "
@@ -163,7 +171,7 @@ SeenCompanions::not_compared(const std::set<std::string>& known,
       likely = robots.of(file.planned.path, *file.seen, ties[file.planned.config]);
       std::erase_if(likely, [&](const std::string& one) { return !unknown.contains(id_of(one)); });
     }
-    found.push_back(judge(id, file, likely));
+    found.push_back(judge(id, file, likely, robots.near(file.planned.path)));
   }
   std::sort(found.begin(), found.end(),
             [](const NotCompared& a, const NotCompared& b) { return a.path < b.path; });

@@ -57,9 +57,10 @@ class SeenCompanions {
   }
   /// Whether no robot has the file, although it can be read.
   bool is_open(const std::string& id, const File& file, const std::set<std::string>& known) const;
-  /// `likely`: robots that may have the file, and could not be expanded.
-  NotCompared judge(const std::string& id, const File& file,
-                    const std::vector<std::string>& likely) const;
+  /// `likely`: robots that may have the file, and could not be expanded; `near`: one in its
+  /// package, or in a related one.
+  NotCompared judge(const std::string& id, const File& file, const std::vector<std::string>& likely,
+                    const std::string& near) const;
 
   const CheckContext& context_;
   PackageSearch& search_;

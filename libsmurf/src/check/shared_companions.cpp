@@ -27,6 +27,9 @@ Accompanied load_robot(const std::string& path, bool was_found, std::span<const 
     robot.companions = load_companions(robot.model, context);
   } else {
     robot = load_accompanied(path, context);
+    // A URDF that is a xacro without its name has no links, and would take files from the robots.
+    const bool is_empty = robot.model.robot && robot.model.robot->links.empty();
+    if (is_empty && !is_companion_path(path)) robot.companions = {};
   }
   std::map<std::string, std::vector<std::string>> values;  // of arguments
   const std::string id = context.files.identity(robot.model.urdf_path);
@@ -43,6 +46,7 @@ std::vector<CompanionFindings::Found> CompanionFindings::finish() {
   for (auto& one_file : files_) {
     auto& entry = one_file.second;  // a lambda cannot capture a part of a structured binding
     std::vector<std::size_t> owners = choose_owners(entry.claims);
+    for (const std::size_t one : owners) owners_.emplace(one_file.first, entry.robots[one].robot);
     // The variants of a configuration are all meant.
     const bool has_variants = std::any_of(owners.begin(), owners.end(), [&](std::size_t one) {
       return entry.robots[one].is_variant;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <utility>
@@ -61,6 +62,11 @@ class CompanionFindings {
   /// some of them have is an info, which names them.
   std::vector<Found> finish();
 
+  /// After finish(): whether a companion, by identity, belongs to a robot, by path.
+  bool belongs_to(const std::string& file, const std::string& robot) const {
+    return owners_.contains({file, robot});
+  }
+
  private:
   struct OfRobot {
     std::string robot;
@@ -73,6 +79,7 @@ class CompanionFindings {
     std::vector<OfRobot> robots;  ///< in the same order
   };
   std::map<std::string, Entry> files_;  ///< by identity
+  std::set<std::pair<std::string, std::string>> owners_;
 };
 
 }  // namespace smurf

@@ -116,9 +116,15 @@ void place_in_xacro(const xacro::Expansions& expansions, const SourceMap& source
     const auto expansion = expansions.find(diagnostic.span.source);
     const bool is_about_masses = diagnostic.rule->id.starts_with("SML15");
     // What a conversion loses was written in some way.
-    return expansion != expansions.end() && diagnostic.rule->reported_by == Tool::lint &&
-           (diagnostic.severity != Severity::error || is_about_masses) &&
-           imports::is_made(expansion->second, diagnostic.span);
+    if (expansion == expansions.end() || diagnostic.rule->reported_by != Tool::lint) return false;
+    if (diagnostic.severity == Severity::error && !is_about_masses) return false;
+    const auto is_made = [&](const auto& place) {
+      return imports::is_made(expansion->second, place.span);
+    };
+    // The density of a shape is that of its mass.
+    return is_made(diagnostic) ||
+           (is_about_masses &&
+            std::any_of(diagnostic.labels.begin(), diagnostic.labels.end(), is_made));
   });
   mark_imports(expansions, found);
   for (Diagnostic& diagnostic : found) {

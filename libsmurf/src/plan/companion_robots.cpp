@@ -110,6 +110,26 @@ std::size_t CompanionRobots::count_in(const Project& project, const std::string&
   return static_cast<std::size_t>(count);
 }
 
+std::map<std::string, std::size_t> CompanionRobots::ranks_around(const std::string& path) {
+  const std::string_view folder = path::parent(path);
+  const CompanionPlaces places =
+      companion_places(std::string(folder.empty() ? "." : folder), files_, packages_);
+  std::map<std::string, std::size_t> ranks;
+  for (std::size_t i = 0; i < places.folders.size(); ++i) {
+    ranks.emplace(files_.identity(places.folders[i]), i < places.own ? 0 : 1);
+  }
+  return ranks;
+}
+
+std::string CompanionRobots::near(const std::string& path) {
+  const std::map<std::string, std::size_t> ranks = ranks_around(path);
+  for (const std::string& robot : project_of(path).robots) {
+    const std::string_view parent = path::parent(robot);
+    if (ranks.contains(files_.identity(std::string(parent.empty() ? "." : parent)))) return robot;
+  }
+  return {};
+}
+
 std::vector<std::string> CompanionRobots::of(const std::string& path, const SeenCompanion& seen,
                                              std::span<const CompanionTie> ties) {
   std::vector<std::string> robots;
@@ -121,13 +141,7 @@ std::vector<std::string> CompanionRobots::of(const std::string& path, const Seen
   }
   if (!robots.empty()) return robots;
   const Project& project = project_of(path);
-  const std::string_view folder = path::parent(path);
-  const CompanionPlaces places =
-      companion_places(std::string(folder.empty() ? "." : folder), files_, packages_);
-  std::map<std::string, std::size_t> ranks;  // of folders, by identity
-  for (std::size_t i = 0; i < places.folders.size(); ++i) {
-    ranks.emplace(files_.identity(places.folders[i]), i < places.own ? 0 : 1);
-  }
+  const std::map<std::string, std::size_t> ranks = ranks_around(path);
   using Rank = std::tuple<std::size_t, std::size_t, std::string>;
   std::vector<Rank> all;
   for (const std::string& robot : project.robots) {

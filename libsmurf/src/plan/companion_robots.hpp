@@ -29,6 +29,10 @@ class CompanionRobots {
   std::vector<std::string> of(const std::string& path, const SeenCompanion& seen,
                               std::span<const CompanionTie> ties);
 
+  /// The first robot in the package of a file, or in one that is related to it; "" if there is
+  /// none.
+  std::string near(const std::string& path);
+
   /// The text of a robot that of() found for this companion, with what it includes.
   const std::string& text_of(const std::string& companion, const std::string& robot);
   /// Whether the name occurs in the text of any robot in the project of the companion.
@@ -40,6 +44,8 @@ class CompanionRobots {
     std::optional<XacroFiles> xacro;
   };
   const Project& project_of(const std::string& path);
+  /// Of the folders around a file, by identity: 0 in its package, 1 in related ones.
+  std::map<std::string, std::size_t> ranks_around(const std::string& path);
   const std::string& text_of(const Project& project, const std::string& robot);
   std::size_t count_in(const Project& project, const std::string& robot, const SeenCompanion& seen);
 

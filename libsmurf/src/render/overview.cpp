@@ -41,6 +41,11 @@ bool is_often_the_answer(const Rule& rule) {
                      [&](std::string_view family) { return rule.id.starts_with(family); });
 }
 
+/// A name in a file around a robot that the robot does not have.
+bool is_misspelt_answer(const Diagnostic& one) {
+  return is_often_the_answer(*one.rule) && one.caret.starts_with("no such ");
+}
+
 /// The files with findings of a kind.
 struct Spread {
   std::vector<std::string_view> files;  ///< each once, in the order of the report
@@ -117,11 +122,10 @@ class Overview {
     bool is_told = false;
   };
 
-  /// Robots that include a file have the same finding there, with names of their own.
+  /// Robots that include a file have the same finding there, with names and numbers of their own.
   using Place = std::tuple<const Rule*, Severity, std::string_view, std::uint32_t, std::string>;
   Place place_of(const Diagnostic& one) const {
-    return {one.rule, one.severity, path_of(one.span.source), one.span.begin,
-            without_names(one.message)};
+    return {one.rule, one.severity, path_of(one.span.source), one.span.begin, form_of(one.message)};
   }
   static std::string without_names(std::string_view message) {
     std::string rest;
@@ -132,10 +136,26 @@ class Overview {
     }
     return rest;
   }
-  static std::string without_numbers(std::string text) {
-    std::erase_if(text, [](char c) { return c >= '0' && c <= '9'; });
-    return text;
+  /// With one sign for each number, whatever its form: "-1.0472" and "2e-06".
+  static std::string without_numbers(std::string_view text) {
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    std::string rest;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      const bool is_sign = text[i] == '-' && i + 1 < text.size() && is_digit(text[i + 1]);
+      if (!is_digit(text[i]) && !is_sign) {
+        rest += text[i];
+        continue;
+      }
+      for (++i; i < text.size(); ++i) {
+        const bool is_exponent = text[i] == '-' && text[i - 1] == 'e';
+        if (!is_digit(text[i]) && text[i] != '.' && text[i] != 'e' && !is_exponent) break;
+      }
+      --i;
+      rest += '#';
+    }
+    return rest;
   }
+  static std::string form_of(std::string_view text) { return without_numbers(without_names(text)); }
   static std::string_view remedy_of(const Diagnostic& one) {
     return one.fixes.empty() ? std::string_view() : std::string_view(one.help_text);
   }
@@ -146,7 +166,7 @@ class Overview {
   /// What findings of a kind have in common, in all files.
   using Text = std::tuple<const Rule*, Severity, std::string, std::string_view>;
   static Text text_of(const Diagnostic& one) {
-    return {one.rule, one.severity, without_numbers(without_names(one.message)), remedy_of(one)};
+    return {one.rule, one.severity, form_of(one.message), remedy_of(one)};
   }
   void spread(Kind& kind) {
     kind.spread = &spread_[text_of(*kind.findings.front())];
@@ -161,9 +181,14 @@ class Overview {
   }
   /// One block for all files, if there are so many that the report would repeat itself.
   bool is_told(const Kind& kind) const {
-    return kind.spread != nullptr && kind.spread->files.size() >= kFewest &&
-           !kind.spread->told_in.empty() &&
+    return kind.spread != nullptr && is_one_block(kind) && !kind.spread->told_in.empty() &&
            kind.spread->told_in != path_of(kind.findings.front()->span.source);
+  }
+
+  /// In the files around a robot, the names are what readers look for: two files are two blocks.
+  static bool is_one_block(const Kind& kind) {
+    const bool is_about_names = is_misspelt_answer(*kind.findings.front());
+    return kind.spread->files.size() >= (is_about_names ? kFewest : 2);
   }
 
   /// The number of findings and of kinds of a rule in a section.
@@ -193,11 +218,16 @@ class Overview {
   }
 
   /// Otherwise the files are in the order of their names, and the first screen shows any of them.
+  /// Names that a file around the robot misspells come first: a robot has dozens of estimated
+  /// masses, and they would hide the one line that keeps it from moving.
   void put_worst_first(std::vector<Section>& sections) {
-    std::map<std::string_view, Harm> worst;
+    std::map<std::string_view, std::pair<bool, Harm>> worst;
     for (const Section& section : sections) {
-      Harm& harm = worst[path_of(section.file)];
-      for (const Diagnostic* finding : section.findings) harm = std::max(harm, harm_of(*finding));
+      auto& [is_answer, harm] = worst[path_of(section.file)];
+      for (const Diagnostic* finding : section.findings) {
+        is_answer = is_answer || is_misspelt_answer(*finding);
+        harm = std::max(harm, harm_of(*finding));
+      }
     }
     std::stable_sort(sections.begin(), sections.end(), [&](const Section& a, const Section& b) {
       return worst[path_of(a.file)] > worst[path_of(b.file)];
@@ -222,10 +252,11 @@ class Overview {
 
   std::vector<Kind> kinds_of(const Section& section) {
     std::vector<Kind> kinds;
-    // Notes may say what is special about a finding, such as the variant of its robot. With another
-    // remedy, a finding is another one. Advice without a fix is a guess, and guesses about one
-    // fault would exclude each other: that of the first is shown.
-    using Key = std::tuple<const Rule*, std::string, std::string_view, std::vector<std::string>>;
+    // Notes may say what is special about a finding, such as the variant of its robot. With a
+    // remedy of another form, a finding is another one; what else it writes is named with the
+    // finding. Advice without a fix is a guess, and guesses about one fault would exclude each
+    // other: that of the first is shown.
+    using Key = std::tuple<const Rule*, std::string, std::string, std::vector<std::string>>;
     std::map<Key, std::size_t> index;
     for (const Diagnostic* one : section.findings) {
       if (options_.shows_all) {
@@ -234,9 +265,13 @@ class Overview {
       }
       const Repeated& repeated = repeated_[{one->rule, one->message}];
       if (repeated.first != path_of(section.file) || is_of_another_robot(*one)) continue;
+      std::vector<std::string> notes;
+      for (const std::string& note : one->notes) {
+        const bool is_variant = note.find(":=") != std::string::npos;
+        notes.push_back(is_variant ? note : without_numbers(note));
+      }
       const auto [kind, is_new] = index.try_emplace(
-          {one->rule, without_numbers(without_names(one->message)), remedy_of(*one), one->notes},
-          kinds.size());
+          {one->rule, form_of(one->message), form_of(remedy_of(*one)), notes}, kinds.size());
       if (is_new) kinds.emplace_back();
       kinds[kind->second].findings.push_back(one);
     }
@@ -275,26 +310,56 @@ class Overview {
     write(cut(of_rule));
   }
 
-  /// The first name in a message; empty if there is none.
-  static std::string_view name_in(std::string_view message) {
-    const std::size_t begin = message.find('`');
-    const std::size_t end = message.find('`', begin + 1);
-    return end == std::string_view::npos ? "" : message.substr(begin, end + 1 - begin);
+  /// The names in a message, with their backquotes.
+  static std::vector<std::string_view> names_in(std::string_view message) {
+    std::vector<std::string_view> names;
+    for (std::size_t at = message.find('`'); at != std::string_view::npos;) {
+      const std::size_t end = message.find('`', at + 1);
+      if (end == std::string_view::npos) break;
+      names.push_back(message.substr(at, end + 1 - at));
+      at = message.find('`', end + 1);
+    }
+    return names;
+  }
+
+  /// Which name of the messages tells the findings apart: of unknown names the last, which is the
+  /// unknown one; large if none does.
+  static std::size_t distinct_name_of(const Kind& kind) {
+    const Diagnostic& first = *kind.findings.front();
+    const std::size_t count = names_in(first.message).size();
+    const bool is_unknown_name = first.caret.starts_with("no such ");
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t which = is_unknown_name ? count - 1 - i : i;
+      std::set<std::string_view> distinct;
+      for (const Diagnostic* one : kind.findings) distinct.insert(names_in(one->message)[which]);
+      if (distinct.size() == kind.findings.size()) return which;
+    }
+    return std::string_view::npos;
+  }
+
+  /// " (`left_toe`)", if that is what the fix of a finding writes, and not that of the first.
+  static std::string correction_of(const Diagnostic& one, const Diagnostic& first) {
+    if (one.fixes.empty() || one.help_text == first.help_text) return {};
+    const std::vector<std::string_view> names = names_in(one.help_text);
+    return names.empty() ? "" : " (" + render::escape(names.front()) + ")";
   }
 
   /// "... and the same for `left_toe` and `left_shin` in this file; --all shows them"
   std::string same_here(const Kind& kind) const {
     if (kind.findings.size() == 1) return {};
+    const Diagnostic& first = *kind.findings.front();
     std::vector<std::string> names, lines;
-    std::set<std::string> distinct{std::string(name_in(kind.findings.front()->message))};
+    const std::size_t which = distinct_name_of(kind);
     for (const Diagnostic* one : std::span(kind.findings).subspan(1)) {
-      names.push_back(render::escape(name_in(one->message)));
-      distinct.insert(names.back());
+      const std::vector<std::string_view> all = names_in(one->message);
+      if (which < all.size()) {
+        names.push_back(render::escape(all[which]) + correction_of(*one, first));
+      }
       const Span place = one->span;
       const std::string line = std::to_string(sources_.line_of(place.source, place.begin));
       if (lines.empty() || lines.back() != line) lines.push_back(line);
     }
-    const bool are_named = distinct.size() == kind.findings.size() && !distinct.contains("");
+    const bool are_named = !names.empty();
     std::vector<std::string>& others = are_named ? names : lines;
     const std::string_view where = are_named            ? "for "
                                    : others.size() == 1 ? "in line "
@@ -326,7 +391,7 @@ class Overview {
   std::string same_elsewhere(const Kind& kind) {
     if (kind.spread == nullptr) return {};
     const Diagnostic& one = *kind.findings.front();
-    if (kind.spread->files.size() >= kFewest) {
+    if (is_one_block(kind)) {
       return same_in_files(*kind.spread, path_of(one.span.source));
     }
     Repeated& repeated = repeated_[{one.rule, one.message}];

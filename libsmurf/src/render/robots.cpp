@@ -124,9 +124,14 @@ std::string render_fleet(std::span<const RobotAnswers> robots) {
   const auto worst_of = [](const RobotAnswers& robot) {
     return robot.worst.value_or(Severity::info);
   };
-  add("is fine", "are fine", [&](const auto& one) { return worst_of(one) == Severity::info; });
+  const auto is_unknown = [&](const RobotAnswers& robot) {
+    return robot.is_unknown && worst_of(robot) != Severity::error;
+  };
+  add("is fine", "are fine",
+      [&](const auto& one) { return worst_of(one) == Severity::info && !is_unknown(one); });
+  add("is not checked", "are not checked", is_unknown);
   add("has warnings", "have warnings",
-      [&](const auto& one) { return worst_of(one) == Severity::warning; });
+      [&](const auto& one) { return worst_of(one) == Severity::warning && !is_unknown(one); });
   add("has errors", "have errors",
       [&](const auto& one) { return worst_of(one) == Severity::error; });
   return are_all_fine ? std::string() : render::wrap(text, 0, render::kColumns) + "\n";

@@ -327,7 +327,9 @@ class Builder {
     }
     const std::size_t links = model_.links.size();
     add_content(element, scope);
+    // What an include names has links: without its file, only the file is reported.
     if (model_.links.size() == links && !scope.is_static && !is_full_ &&
+        !element.child("include") &&
         !std::any_of(scope.order.begin(), scope.order.end(),
                      [](const Vertex* one) { return one->kind == Vertex::Kind::model; })) {
       reporter_.refuse(element.name_span(), "the model " + quoted(name) + " has no link",

@@ -9,6 +9,7 @@
 #include "base/numbers/numbers.hpp"
 #include "base/text/quoted.hpp"
 #include "base/text/words.hpp"
+#include "imports/imports.hpp"
 #include "syntax/xml_reader.hpp"
 
 namespace smurf::sdformat {
@@ -23,10 +24,15 @@ std::optional<xml::Document> parse_sdf(SourceId source, Context& context) {
   auto document = parse_xml(context.sources, source, context.limits, found);
   for (Diagnostic& one : found.take()) {
     if (one.rule == &rules::sml1002_xml_undeclared_prefix) continue;
+    // TinyXML-2, which libsdformat has, reads them; `xmllint` and others do not.
+    if (one.rule == &rules::sml1004_xml_comment_dashes) one.severity = Severity::warning;
     context.sink.report(*one.rule, one.span, {}) = std::move(one);
   }
   return document;
 }
+
+/// Source: libsdformat 12 and 14, parser.cc readFileInternal and parser_urdf.cc IsURDF; 12 was run.
+bool is_urdf(std::string_view text) { return imports::root_name(text) == "robot"; }
 
 }  // namespace
 
@@ -53,6 +59,15 @@ const SdfFile* Files::open(const std::string& path, Span place) {
   }
   FileContent content = context.files.read(path, context.limits.file_bytes);
   const SdfFile* file = nullptr;
+  if (content.status == ReadStatus::ok && is_urdf(content.text)) {
+    // libsdformat converts it; it is checked as the URDF that it is.
+    reporter_
+        .report(rules::sml9304_lost_in_urdf, place,
+                "the model is the URDF " + quoted(path) + ", which is not read here, so it is lost")
+        .help("convert the URDF by itself");
+    broken_.emplace(path, true);
+    return nullptr;
+  }
   if (content.status != ReadStatus::ok) {
     reporter_.miss(place, "cannot read " + quoted(path) + ": " + content.reason,
                    "correct the address");

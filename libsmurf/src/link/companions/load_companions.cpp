@@ -78,6 +78,19 @@ bool has_robot(const std::vector<std::string>& paths, std::string_view name,
   });
 }
 
+/// The names of the robots in these files. Parts of a xacro have none.
+std::set<std::string> robot_names(const std::vector<std::string>& paths,
+                                  const LoadContext& context) {
+  std::set<std::string> names;
+  for (const std::string& path : paths) {
+    if (is_companion_path(path)) continue;
+    const FileContent content = context.files.read(path, context.limits.file_bytes);
+    const std::string_view name = robot_name_in(content.text);
+    if (content.status == ReadStatus::ok && !name.empty()) names.emplace(name);
+  }
+  return names;
+}
+
 class Finder {
  public:
   Finder(const LinkedModel& model, LoadContext& context)
@@ -106,6 +119,9 @@ class Finder {
     found_.lacks_simulation = lacks_simulation();
     look_in(0, places_.own, Evidence::package);
     look_in(places_.own, places_.folders.size(), Evidence::dependency);
+    for (const NearCompanion& one : library_.near) {
+      if (is_companion_path(one.path)) look_at(one.path, Evidence::below);
+    }
     for (const NearCompanion& one : library_.near) look_at(one.path, Evidence::below);
     for (Companion& one : found_.files) count_names(model_, one);
     std::erase_if(found_.files, [&](const Companion& one) { return !fits(one); });
@@ -173,11 +189,11 @@ class Finder {
       if (is_xacro && seen.robot.empty()) return;
       const bool is_computed = is_xacro && seen.robot.find('$') != std::string::npos;
       const bool is_for_any = is_computed || is_bound || evidence == Evidence::command_line;
-      if (!is_for_any && !may_be_for(seen.robot)) return;
+      if (!is_for_any && !may_be_for(seen.robot, evidence)) return;
     } else if (!is_bound && seen.what.state == CompanionState::readable) {
       const NameScore score = score_of(seen.names, model_);
       const bool is_far = evidence == Evidence::below;
-      const bool is_alien = is_far && (score.names == 0 || score.known == 0);
+      const bool is_alien = is_far && (score.names == 0 ? !is_beside_srdf(path) : score.known == 0);
       if (is_alien || (!is_enough(score) && score.lost_prefix.empty())) {
         found_.rejected.push_back({path, score.known, score.names});
         return;
@@ -195,20 +211,32 @@ class Finder {
     return may_belong_to(model_, one) && !has_better_robot(one);
   }
 
-  /// What lies beside an SRDF of the robot is meant for it; files of MoveIt without joints only
-  /// then, or if there is no other robot.
-  void mark_beside() {
+  /// Where files lie that belong to the same configuration as an SRDF.
+  std::set<std::string> folders_of_srdfs() const {
     std::set<std::string> folders;
-    for (Companion& one : found_.files) {
+    for (const Companion& one : found_.files) {
       if (!one.srdf) continue;
-      const srdf::Text& name = one.srdf->name;
-      const bool is_same = name && model_.robot->name && *name == *model_.robot->name;
-      if (is_same && one.evidence > Evidence::robot_name) one.evidence = Evidence::robot_name;
       folders.insert(one.folder);
       if (path::file_name(one.folder) == "srdf") {
         folders.insert(path::normalize(path::join(one.folder, "../config")));
       }
       folders.insert(path::normalize(path::join(one.folder, "..")));  // of .setup_assistant
+    }
+    return folders;
+  }
+  bool is_beside_srdf(const std::string& path) const {
+    return folders_of_srdfs().contains(path::normalize(std::string(path::parent(path))));
+  }
+
+  /// What lies beside an SRDF of the robot is meant for it; files of MoveIt without joints only
+  /// then, or if there is no other robot.
+  void mark_beside() {
+    const std::set<std::string> folders = folders_of_srdfs();
+    for (Companion& one : found_.files) {
+      if (!one.srdf) continue;
+      const srdf::Text& name = one.srdf->name;
+      const bool is_same = name && model_.robot->name && *name == *model_.robot->name;
+      if (is_same && one.evidence > Evidence::robot_name) one.evidence = Evidence::robot_name;
     }
     std::erase_if(found_.files, [&](Companion& one) {
       if (one.srdf || is_tie(one.evidence)) return false;
@@ -227,13 +255,16 @@ class Finder {
 
   /// Whether an SRDF with this robot name may be one of the robot. Other names are mistakes if the
   /// robot is the only one around.
-  bool may_be_for(std::string_view name) {
+  bool may_be_for(std::string_view name, Evidence evidence) {
     if (model_.robot->name && is_same_word(name, *model_.robot->name)) return true;
     const auto is_urdf = [](const std::string& path) {
       return path::to_lower(path::extension(path)) == ".urdf";
     };
     const std::vector<std::string>& all = robots();
-    return std::count_if(all.begin(), all.end(), is_urdf) == 1 && !has_robot(all, name, context_);
+    const bool is_only_urdf = std::count_if(all.begin(), all.end(), is_urdf) == 1;
+    if (!is_only_urdf && evidence == Evidence::below) return false;
+    const std::set<std::string> names = robot_names(all, context_);
+    return (is_only_urdf || names.size() == 1) && !names.contains(std::string(name));
   }
 
   const std::vector<std::string>& robots() {
@@ -353,8 +384,9 @@ std::vector<std::string> robots_of(const Companion& companion, LoadContext& cont
   const std::vector<std::string> folders =
       companion_places(folder, context.files, search_of(context)).folders;
   const std::vector<std::string> urdfs = candidates(folders, {&NamesInFolder::urdfs}, context);
+  const std::vector<std::string> xacros = candidates(folders, {&NamesInFolder::xacros}, context);
   std::vector<std::string> found;
-  for (const auto& all : {urdfs, candidates(folders, {&NamesInFolder::xacros}, context)}) {
+  for (const auto& all : {urdfs, xacros}) {
     for (const std::string& path : all) {
       if (!name || is_companion_path(path) || found.size() >= kMostRobots) continue;
       if (has_robot({path}, *name, context)) found.push_back(path);
@@ -366,6 +398,10 @@ std::vector<std::string> robots_of(const Companion& companion, LoadContext& cont
     if (is_same_word(robot_name_in(content.text), *name)) found.push_back(path);
   }
   if (found.empty() && urdfs.size() == 1) found.push_back(urdfs.front());
+  if (!found.empty() || !urdfs.empty() || robot_names(xacros, context).size() != 1) return found;
+  for (const std::string& path : xacros) {
+    if (!robot_names({path}, context).empty()) found.push_back(path);
+  }
   return found;
 }
 

@@ -103,10 +103,9 @@ class ElementReader {
       if (child.name == "node") {
         node(child, is_here, space);
       } else if (child.name == "param") {
-        if (attribute(child, "name") == "robot_description" ||
-            attribute(child, "name") == "/robot_description") {
-          description(child, nullptr);
-        }
+        // "/$(arg name)/robot_description"
+        const std::string_view name = attribute(child, "name");
+        if (name.substr(name.rfind('/') + 1) == "robot_description") description(child, nullptr);
       } else if (child.name == "include") {
         file_.has_includes = true;
         path(value_of(child, "file"));
@@ -189,6 +188,10 @@ class ElementReader {
       found.tolerates_errors = true;
       found.span = element.attribute("command")->span;
       Value value = value_of(element, "command");
+      if (value.pieces.size() > 1 && value.pieces.front().kind == Piece::Kind::literal &&
+          trimmed(value.pieces.front().text).empty()) {
+        value.pieces.erase(value.pieces.begin());
+      }
       // `$(find xacro)/xacro` is the program.
       if (value.pieces.size() > 1 && value.pieces.front().kind == Piece::Kind::share &&
           value.pieces.front().text == "xacro") {

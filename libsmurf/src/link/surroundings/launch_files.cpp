@@ -17,6 +17,14 @@ std::optional<LaunchFault> first_error(const DiagnosticSink& found) {
   return std::nullopt;
 }
 
+/// `ros2 launch` reads what is no XML and no YAML as Python, whatever its name.
+/// Source: launch any_launch_file_utilities.py, branches humble to rolling.
+bool is_python(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && text[first] != '<' &&
+         text.find("def generate_launch_description(") != std::string_view::npos;
+}
+
 }  // namespace
 
 std::optional<LaunchFile::Form> launch_form_of(std::string_view name) {
@@ -57,6 +65,7 @@ std::vector<FoundLaunch> launch_files_of(const std::string& package,
 void read_launch(const SourceMap& sources, SourceId source, const Limits& limits,
                  const FindLaunchPath& find, LaunchFile& file) {
   file.source = source;
+  if (is_python(sources.text(source))) file.form = LaunchFile::Form::python;
   DiagnosticSink faults(limits);
   if (file.form == LaunchFile::Form::python) {
     read_python_launch(sources.text(source), find, file);

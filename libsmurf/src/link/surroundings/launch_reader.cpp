@@ -3,6 +3,7 @@
 #include "link/surroundings/launch_reader.hpp"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -63,10 +64,66 @@ class PythonLaunch {
                call.callee.ends_with("process_file")) {
       // Read where a node gets them.
     }
+    if (call.callee == "MoveItConfigsBuilder") begin_builder(call);
     if (call.callee.starts_with("MoveItConfigsBuilder.")) {
       file_.builder_methods.push_back(call.callee.substr(call.callee.rfind('.') + 1));
+      builder_method(call);
     }
     note_paths(call);
+  }
+
+  /// Relative paths that the builder gets are in the package of the configuration.
+  /// Source: moveit_configs_utils moveit_configs_builder.py, branches humble to rolling.
+  void begin_builder(const Value& call) {
+    builder_ = {};
+    const Value* package = call.find("package_name");
+    if (package == nullptr && call.items.size() > 2) package = &call.items[2];
+    const Value* name = call.items.empty() ? call.find("robot_name") : &call.items.front();
+    if (package == nullptr) package = name;
+    const LaunchText text = package != nullptr ? texts_.of(*package) : LaunchText{};
+    if (text.is_known && text.package.empty() && !text.text.empty())
+      builder_.package = text.text + (package == name ? "_moveit_config" : "");
+    builder_.items = call.items.size();
+    builder_.named = call.named.size();
+  }
+
+  /// `.robot_description(file_path=..., mappings={...})` or another method: the arguments of the
+  /// calls before it stand in the same lists.
+  void builder_method(const Value& call) {
+    const std::size_t before = std::min(builder_.items, call.items.size());
+    const std::span<const Value> items = std::span(call.items).subspan(before);
+    const std::size_t own = call.named.size() - std::min(builder_.named, call.named.size());
+    const std::span<const python::Keyword> named = std::span(call.named).first(own);
+    builder_.items = call.items.size();
+    builder_.named = call.named.size();
+    const auto argument = [&](std::string_view name, std::size_t at) -> const Value* {
+      for (const python::Keyword& one : named) {
+        if (one.name == name) return &one.value;
+      }
+      return at < items.size() ? &items[at] : nullptr;
+    };
+    const Value* path = argument("file_path", 0);
+    if (path == nullptr || !path->is_text()) return;
+    LaunchText text = texts_.of(*path);
+    const bool is_in_config =
+        text.package.empty() && !text.text.starts_with('/') && !builder_.package.empty();
+    if (is_in_config) {
+      text.package = builder_.package;
+      text.text.insert(0, "/");
+    }
+    if (!text.is_known || text.package.empty()) return;
+    if (!call.callee.ends_with(".robot_description")) {
+      if (is_in_config) add_path(text);
+      return;
+    }
+    LaunchDescription found;
+    found.span = text.span;
+    found.form = LaunchDescription::Form::expanded;
+    found.is_wrapped = true;
+    found.tolerates_errors = true;
+    found.file = path_of(text, find_);
+    if (const Value* given = argument("mappings", 1)) mappings(given, found);
+    file_.descriptions.push_back(std::move(found));
   }
 
   /// The paths that a call gets; a part of a longer path is in the arguments of no call.
@@ -223,9 +280,16 @@ class PythonLaunch {
     }
   }
 
+  /// What the calls of a chain `MoveItConfigsBuilder(...).a(...).b(...)` have had so far.
+  struct Builder {
+    std::string package;  ///< of the configuration; empty: not known
+    std::size_t items = 0, named = 0;
+  };
+
   const FindLaunchPath& find_;
   LaunchFile& file_;
   Texts texts_;
+  Builder builder_;
 };
 
 }  // namespace

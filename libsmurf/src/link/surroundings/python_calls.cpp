@@ -280,7 +280,8 @@ class Reader {
     return value;
   }
 
-  /// The text of a token. Of an expression in braces, only a name that is known is replaced.
+  /// The text of a token. Of an expression in braces, only a name that is known is replaced, and
+  /// `name.perform(context)` of a launch argument.
   Value text_of(const Token& token) const {
     if (!token.is_format) return python::text_of(token.value, token.span);
     std::vector<Value> parts;
@@ -290,9 +291,9 @@ class Reader {
       if (open > 0) parts.push_back(python::text_of(std::string(rest.substr(0, open)), token.span));
       if (open == std::string_view::npos) break;
       const std::size_t close = rest.find('}', open);
-      const auto known = close == std::string_view::npos
-                             ? values_.end()
-                             : values_.find(rest.substr(open + 1, close - open - 1));
+      std::string_view name = rest.substr(open + 1, close - open - 1);
+      if (name.ends_with(".perform(context)")) name = name.substr(0, name.find('.'));
+      const auto known = close == std::string_view::npos ? values_.end() : values_.find(name);
       parts.push_back(known != values_.end() && known->second.is_text() ? known->second
                                                                         : unknown(token.span));
       rest.remove_prefix(close == std::string_view::npos ? rest.size() : close + 1);

@@ -42,7 +42,8 @@ extern constinit const Rule sml1001_xml_malformed{
     .summary = "A URDF is not well-formed XML.",
     .why =
         "Most readers give no line number, and some accept defects that others refuse: a file that works in one fails in browsers and lxml.",
-    .remedy = "Close the element, the quote or the bracket that the message names.",
+    .remedy =
+        "Close the element, the quote or the bracket that the message names; delete what is no XML.",
     .sources = "urdf-loader 0.13, executed.",
     .facts = kFacts,
     .blocks_building = true};

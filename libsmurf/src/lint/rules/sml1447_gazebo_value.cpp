@@ -129,7 +129,8 @@ extern constinit const Rule sml1447_gazebo_value{
         "read.",
     .why =
         "An empty `mu1`, or a word in `dampingFactor`, ends the simulator. Other elements are read as SDF, which does not tolerate wrong types, values or names.",
-    .remedy = "Write the element as the specification of SDF says.",
+    .remedy =
+        "Write the element as the specification of SDF says; give a second part of a kind another name.",
     .check_model = check,
     .facts = kFacts,
     .taken_over = TakenOver::from_sdf};

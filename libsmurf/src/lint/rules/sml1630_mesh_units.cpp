@@ -8,6 +8,18 @@ namespace smurf::rules::sml1630_mesh_units_file {
 namespace {
 
 constexpr double kTiny = 0.001;  // m; what nobody sees
+constexpr double kScenery = 20;  // times as long as a part of a robot may be: 1 km
+
+/// Whether a link is of a static model of SDF, such as a building, which may be large.
+bool is_static_scenery(const LinkedModel& model, const urdf::Link& link) {
+  if (model.language != Language::sdf || !link.name) return false;
+  const auto index = model.link_names.find(*link.name);
+  const auto joint = index ? model.tree.parent_joint[*index] : std::nullopt;
+  if (!joint) return false;
+  const auto parent = model.tree.joint_parent[to_size(*joint)];
+  if (!parent || model.robot->links[to_size(*parent)].name.value_or("") != "world") return false;
+  return model.robot->joints[to_size(*joint)].type == urdf::JointType::fixed;
+}
 
 double extent(const Box& box) {
   const Vector3 size = box.size();
@@ -59,7 +71,9 @@ void check(const LinkedModel& model, Findings& findings) {
     const std::optional<Box> box = bounding_box(model, mesh.uses.front().geometry);
     if (!box) continue;
     const double size = extent(*box);
-    if (size <= findings.tolerance() && (size >= kTiny || size == 0)) continue;
+    const bool is_scenery = is_static_scenery(model, mesh.uses.front().link);
+    if (size <= findings.tolerance() * (is_scenery ? kScenery : 1) && (size >= kTiny || size == 0))
+      continue;
     Suspects& suspects = size > findings.tolerance() ? huge : tiny;
     if (suspects.first == nullptr) suspects = {&mesh, size, 0};
     ++suspects.files;

@@ -15,8 +15,7 @@ void check(const LinkedModel& model, const Companions& companions, Findings& fin
                 "no URDF of the " + robot +
                     " was found, so names of links and joints are not "
                     "checked")
-        .help("check the package of the URDF together with this one; a robot that is written in "
-              "xacro must be expanded to a .urdf first");
+        .help("check the package of the robot, a URDF or a xacro, together with this one");
   });
 }
 

@@ -8,6 +8,7 @@
 #include "base/text/suggest.hpp"
 #include "base/text/words.hpp"
 #include "lint/companions/controllers.hpp"
+#include "lint/companions/launch.hpp"
 
 namespace smurf::rules::sml3704_controller_incomplete_file {
 namespace {
@@ -15,12 +16,37 @@ namespace {
 constexpr Circumstance kType{"type"};
 constexpr Circumstance kSection{"section"};
 
+/// Whether a launch file gives the type: `spawner NAME --controller-type TYPE`.
+bool gets_type(std::string_view name, const Companions& companions) {
+  bool is_given = false;
+  for_each_launch(companions, [&](const LaunchFile& launch) {
+    for (const LaunchNode& node : launch.nodes) {
+      bool has_name = false, has_type = false;
+      for (const LaunchText& one : node.arguments) {
+        has_name = has_name || one.text == name;
+        has_type = has_type || is_one_of(one.text, {"-t", "--controller-type"});
+      }
+      is_given = is_given || (has_name && has_type);
+    }
+  });
+  return is_given;
+}
+
 void check_type(const RosController& controller, const Companions& companions, Findings& findings) {
   if (!controller.type) {
     if (!controller.section) return;  // a setting of controller_manager
-    findings.report(controller.place, title_of(controller) + " has no `type`")
-        .help("write `type: PACKAGE/CLASS`")
-        .when(kType);
+    if (gets_type(controller.name, companions)) return;
+    Diagnostic& found =
+        findings.report(controller.place, title_of(controller) + " has no `type`").when(kType);
+    const yaml::View inner = controller.declared.is_mapping()
+                                 ? controller.declared.find("ros__parameters")
+                                 : yaml::View();
+    if (inner && inner.is_mapping() && inner.find("type")) {
+      found.help("delete this `ros__parameters`: `type` belongs directly below the controller");
+      found.label(inner.find("type").key_span(), "here it is a parameter of another name");
+    } else {
+      found.help("write `type: PACKAGE/CLASS`");
+    }
     return;
   }
   if (controller.known != nullptr || !controller.type.is_scalar()) return;

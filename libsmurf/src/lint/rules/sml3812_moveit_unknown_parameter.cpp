@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,6 +25,19 @@ Paths below(const Paths& paths, std::string_view key) {
   return rest;
 }
 
+/// The only name that continues the key, as `has_jerk_limits` does `has_jerk`; else a similar one.
+std::optional<std::string_view> meant_by(std::string_view key, const Paths& names) {
+  std::optional<std::string_view> longer;
+  for (const std::string_view one : names) {
+    const bool continues =
+        one.size() > key.size() && one.starts_with(key) && one[key.size()] == '_';
+    if (!continues || one == longer) continue;
+    if (longer) return near_name(key, names);
+    longer = one;
+  }
+  return longer ? longer : near_name(key, names);
+}
+
 // The recursion is as deep as the file, whose depth is limited.
 void check_mapping(yaml::View mapping, const Paths& paths, bool is_top, Findings& findings) {
   Paths names;
@@ -40,7 +54,7 @@ void check_mapping(yaml::View mapping, const Paths& paths, bool is_top, Findings
       if (member.is_mapping()) check_mapping(member, below(paths, key), false, findings);
     } else if (member.is_mapping() && !any.empty()) {
       check_mapping(member, any, false, findings);
-    } else if (const auto near = near_name(key, names)) {
+    } else if (const auto near = meant_by(key, names)) {
       Diagnostic& found =
           findings.report(member.key_span(), "MoveIt has no parameter " + quoted(key) + " here");
       found.help("did you mean " + quoted(*near) + "?");
