@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "base/files/path.hpp"
 #include "base/findings/rules.hpp"
 #include "base/numbers/exact_math.hpp"
 #include "base/text/quoted.hpp"
@@ -83,7 +84,7 @@ class Resolver {
 
   void resolve(Joint& joint) {
     const View element = joint.vertex->element;
-    const std::string_view type = attribute_of(element, "type");
+    const std::string type = path::to_lower(attribute_of(element, "type"));
     const auto* row = std::find_if(std::begin(kTypes), std::end(kTypes),
                                    [&](const auto& one) { return one.first == type; });
     if (row != std::end(kTypes)) {
@@ -179,9 +180,10 @@ class Resolver {
     if (!frame.empty()) {
       const Span place = written != nullptr ? written->value_span() : Span{};
       Scope& scope = *joint.vertex->scope;
-      const Pose X_SF = frames_.express(scope, frame, place);
-      const Pose X_FJ = inverse(frames_.in_scope(*joint.vertex)) * X_SF;
-      v = rotate(X_FJ.orientation, v);
+      if (const auto X_SF = frames_.express_late(scope, frame, place)) {
+        const Pose X_JF = inverse(frames_.in_scope(*joint.vertex)) * *X_SF;
+        v = rotate(X_JF.orientation, v);
+      }
     }
     axis.xyz = v;
   }
