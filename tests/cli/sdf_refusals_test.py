@@ -119,14 +119,45 @@ def text_of(place, inner):
     return text
 
 
+# `b` hangs beside its frame, so a link without mass is between, and Gazebo would make one link of these two.
+LOOP = """<sdf version="1.9"><model name="m"><link name="a"/><link name="b"><sensor name="s" type="imu"/></link>
+<link name="c"><sensor name="s" type="imu"/></link>
+<joint name="j" type="revolute"><pose>0 0 1 0 0 0</pose><parent>a</parent><child>b</child><axis><xyz>0 0 1</xyz></axis></joint>
+<joint name="k" type="fixed"><parent>b</parent><child>c</child></joint>
+<joint name="l" type="revolute"><parent>a</parent><child>b</child><axis><xyz>0 0 1</xyz></axis></joint></model></sdf>"""
+HIDDEN = """<sdf version="1.9"><model name="m"><include><uri>model://nothing</uri></include>
+<joint name="j" type="fixed"><parent>nothing::a</parent><child>nothing::b</child></joint></model></sdf>"""
+
+
 class Refusals(unittest.TestCase):
-    def errors(self, place, inner):
+    def findings(self, text):
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder, "robot.sdf")
-            file.write_text(text_of(place, inner), encoding="utf-8")
+            file.write_text(text, encoding="utf-8")
             done = subprocess.run([TOOL, "--format", "json", file], capture_output=True, text=True, check=False)
-        return [one["message"] for one in json.loads(done.stdout)["diagnostics"]
+        return json.loads(done.stdout)["diagnostics"]
+
+    def errors(self, place, inner):
+        return [one["message"] for one in self.findings(text_of(place, inner))
                 if one["severity"] == "error" and one["id"].startswith("SML931")]
+
+    def test_names_of_a_model_that_is_not_there(self):
+        """The missing file is the cause, and no name in it is a fault of its own."""
+        self.assertEqual([one["id"] for one in self.findings(HIDDEN)], ["SML9312"])
+
+    def test_links_that_only_a_urdf_merges(self):
+        """Gazebo reads the SDF itself, so what it would make of the URDF is an info."""
+        found = [one for one in self.findings(LOOP) if one["id"] == "SML1447"]
+        self.assertTrue(found)
+        self.assertEqual({one["severity"] for one in found}, {"info"}, found)
+
+    def test_parts_that_later_versions_ignore(self):
+        old = "<axis><xyz>0 0 1</xyz><use_parent_model_frame>{}</use_parent_model_frame>"
+        for version, value, is_said in (("1.9", 1, True), ("1.9", 0, False), ("1.6", 1, False), ("1.4", 0, True)):
+            text = MODEL.format(link="", joint="").replace("<axis><xyz>0 0 1</xyz>", old.format(value))
+            found = [one["message"] for one in self.findings(text.replace('"1.9"', f'"{version}"'))
+                     if "use_parent_model_frame" in one["message"]]
+            self.assertEqual(len(found), int(is_said), (version, value, found))
 
     def test_refused(self):
         for place, refused, why, _ in ROWS:

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -335,7 +336,9 @@ class AnnotationWriter {
     for (const Body& body : model_.bodies) {
       for (const Joint& joint : body.joints) count += size_of(joint);
     }
-    const auto numbers = numbers_of(*values, 0, count, reporter_);
+    // Joints may be in a file that is not there.
+    constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
+    const auto numbers = numbers_of(*values, 0, reporter_.lacks_file() ? kAny : count, reporter_);
     const Attribute* name = one.element.attribute("name");
     const Place tag{one.element.name_span(), one.element.tag_span()};
     const std::string text =

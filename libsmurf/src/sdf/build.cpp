@@ -335,8 +335,8 @@ class Builder {
     if (model_.links.size() == links && !scope.is_static && !is_full_ &&
         !std::any_of(scope.order.begin(), scope.order.end(),
                      [](const Vertex* one) { return one->kind == Vertex::Kind::model; })) {
-      reporter_.refuse(element.name_span(), "the model " + quoted(name) + " has no link",
-                       "add a `<link>`");
+      reporter_.refuse_name(element.name_span(), "the model " + quoted(name) + " has no link",
+                            "add a `<link>`");
     }
   }
 

@@ -199,6 +199,10 @@ class Checker {
   }
 
   void unknown(View child, const Grammar& known) {
+    // SML1458 names all of a sensor.
+    for (View around = child.parent(); around; around = around.parent()) {
+      if (around.name() == "sensor") return;
+    }
     std::vector<std::string_view> names;
     for (const Grammar* one : known.children) names.push_back(one->name);
     const auto near = reporter_.context().sink.suggest(child.name(), names);

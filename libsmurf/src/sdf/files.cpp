@@ -55,6 +55,7 @@ const SdfFile* Files::open(const std::string& path, Span place) {
   FileContent content = context.files.read(path, context.limits.file_bytes);
   const SdfFile* file = nullptr;
   if (content.status != ReadStatus::ok) {
+    reporter_.lack_file();
     reporter_.miss(place, "cannot read " + quoted(path) + ": " + content.reason,
                    "correct the address");
   } else {

@@ -99,8 +99,8 @@ std::optional<Pose> Frames::pose_of(Scope& scope, std::string_view name) {
 Pose Frames::express(Scope& scope, std::string_view name, Span place) {
   const auto pose = pose_of(scope, name);
   if (!pose)
-    reporter_.refuse(place, "there is no frame " + quoted(name) + " in " + quoted(scope.name),
-                     "name a link, a joint, a frame or a model in it");
+    reporter_.refuse_name(place, "there is no frame " + quoted(name) + " in " + quoted(scope.name),
+                          "name a link, a joint, a frame or a model in it");
   return pose.value_or(Pose{});
 }
 

@@ -42,8 +42,8 @@ class Resolver {
     for (Vertex& vertex : model_.vertices) frames_.in_scope(vertex);
     for (Scope& scope : model_.scopes) {
       if (!scope.canonical_link.empty() && !frames_.body_of(scope, scope.canonical_link)) {
-        reporter_.refuse(scope.element.attribute("canonical_link")->value_span(),
-                         "there is no link " + quoted(scope.canonical_link), "name a link");
+        reporter_.refuse_name(scope.element.attribute("canonical_link")->value_span(),
+                              "there is no link " + quoted(scope.canonical_link), "name a link");
       }
     }
     for (const Vertex& vertex : model_.vertices) check_attached(vertex);
@@ -57,10 +57,10 @@ class Resolver {
     if (frames_.body_of(*vertex.scope, vertex.attached_to) ||
         (vertex.scope->is_static && Frames::find(*vertex.scope, vertex.attached_to)))
       return;
-    reporter_.refuse(vertex.element.attribute("attached_to")->value_span(),
-                     "there is no frame " + quoted(vertex.attached_to) + " to which " +
-                         quoted(vertex.name) + " could be attached",
-                     "name a link, a joint, a frame or a model beside it");
+    reporter_.refuse_name(vertex.element.attribute("attached_to")->value_span(),
+                          "there is no frame " + quoted(vertex.attached_to) + " to which " +
+                              quoted(vertex.name) + " could be attached",
+                          "name a link, a joint, a frame or a model beside it");
   }
 
   std::optional<Body> end(const Joint& joint, std::string_view which, const std::string& name) {
@@ -71,13 +71,14 @@ class Resolver {
     if (body && (name.empty() || name == "__model__" || (which == "child" && !body->link)))
       body.reset();
     if (!body) {
-      reporter_.refuse(place,
-                       which == "child" && name == "world"
-                           ? "the world cannot be the child of a joint"
-                           : "there is no " + std::string(which) + " " + quoted(name) + " of " +
-                                 quoted(joint.vertex->name),
-                       which == "child" && name == "world" ? "exchange parent and child"
-                                                           : "name a link or a frame of the model");
+      reporter_.refuse_name(place,
+                            which == "child" && name == "world"
+                                ? "the world cannot be the child of a joint"
+                                : "there is no " + std::string(which) + " " + quoted(name) +
+                                      " of " + quoted(joint.vertex->name),
+                            which == "child" && name == "world"
+                                ? "exchange parent and child"
+                                : "name a link or a frame of the model");
     }
     return body;
   }
