@@ -105,6 +105,7 @@ ROWS = [  # the place, what is refused, and why; what loads
     ("world", '<model name="world"><link name="l"><inertial/></link></model>', "reserves",
      '<model name="w"><link name="l"><inertial/></link></model>'),
     ("world", '<light name="l" type="sun"/>', "no type of light", '<light name="l" type="point"/>'),
+    ("world", '<light name="__l__" type="point"/>', "reserves", '<light name="l" type="point"/>'),
     # Frames of shapes are looked for only when a program asks, so a name of nothing is a warning.
     ("link", "<pose relative_to='c'/>", "no frame `c`", visual("<pose relative_to='c'/>")),
 ]

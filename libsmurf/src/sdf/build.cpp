@@ -179,7 +179,10 @@ class Builder {
       if (is_full_) return;
       if (one.name() == "model") add_model(one, *scope.file, &scope, {});
       if (one.name() == "include") include(one, scope);
-      if (one.name() == "light" && scope.is_world) model_.lights.push_back({one, {}, &scope});
+      if (one.name() == "light" && scope.is_world) {
+        refuse_reserved(one);
+        model_.lights.push_back({one, {}, &scope});
+      }
     }
     for (const View one : element) {
       if (one.name() == "link" && !scope.is_world) add_link(one, scope);
