@@ -65,13 +65,13 @@ class TargetTest(unittest.TestCase):
         self.assertEqual(verdicts, {"mujoco": "takes"})
 
     def test_what_smurf_cannot_say(self):
-        text = MJCF.replace('<joint name="lid"/>', '<joint name="lid" armature="0.1"/>') \
+        text = MJCF.replace('<joint name="lid"/>', '<joint name="lid" type="ball" armature="0.1"/>') \
                    .replace('size="0.1"', 'size="0.1" friction="0.5 0 0" condim="4"')
         _, levels = self.check("crate.xml", text)
         self.assertEqual(levels["SML9304"], "warning")
         done = subprocess.run([TOOL, "-", "--stdin-filename", "crate.xml", "--min-severity", "info"], input=text,
                               capture_output=True, text=True, check=False)
-        self.assertIn("so that of joint `lid` is lost", done.stdout)
+        self.assertIn("so the armature of joint `lid` is lost", done.stdout)
         self.assertIn("so a shape loses torsional and rolling `friction` and `condim`", done.stdout)
 
     def test_free_bodies_are_where_they_are(self):

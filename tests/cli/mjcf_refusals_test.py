@@ -60,6 +60,17 @@ class Refusals(unittest.TestCase):
                 self.assertEqual(len(found), 1, found)
                 self.assertIn(why, found[0])
 
+    def test_names_in_a_file_that_is_not_there(self):
+        """The missing file is the cause, and no name in it is a fault of its own."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "robot.xml")
+            file.write_text('<mujoco><default><default class="c"/></default><include file="nothing.xml"/><sensor>'
+                            '<jointpos joint="j"/></sensor><keyframe><key qpos="1 2"/></keyframe></mujoco>')
+            done = subprocess.run([TOOL, "--format", "json", file], capture_output=True, text=True)
+        found = [one["message"] for one in json.loads(done.stdout)["diagnostics"] if one["severity"] != "info"]
+        self.assertEqual(len(found), 1, found)
+        self.assertIn("cannot read", found[0])
+
     def test_read(self):
         for place, _, _, read in ROWS:
             with self.subTest(read):

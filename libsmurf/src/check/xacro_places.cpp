@@ -96,7 +96,7 @@ void mark_imports(const xacro::Expansions& expansions, std::vector<Diagnostic>& 
     if (kind == kinds.end() || kind->second == nullptr) continue;
     one.cases.add(*kind->second);
     for (Occurrence& other : one.others) other.cases.add(*kind->second);
-    if (one.rule->about != About::robot && !is_taken_over(*one.rule, *kind->second))
+    if (one.rule->about != About::robot && !is_taken_over(*one.rule, one.cases, *kind->second))
       one.severity = Severity::info;
   }
 }

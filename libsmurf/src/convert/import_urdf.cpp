@@ -65,11 +65,31 @@ bool is_expanded(const LinkedModel& model) {
   });
 }
 
-/// Some sensors of a robot are in its URDF, and others were made with it.
+std::string_view name_of(const NewValue& entry) {
+  for (const NewValue& one : entry.children) {
+    if (one.key == "name") return one.text;
+  }
+  return {};
+}
+
+/// Some sensors of a robot are in its URDF, and others were made with it. Settings of one joint are
+/// one entry.
 void add_section(NewFile made, std::vector<NewFile>& files) {
   for (NewFile& file : files) {
     if (file.suffix != made.suffix) continue;
-    for (NewValue& entry : made.section.children) file.section.children.push_back(std::move(entry));
+    std::vector<NewValue>& known = file.section.children;
+    for (NewValue& entry : made.section.children) {
+      const auto same = std::find_if(known.begin(), known.end(), [&](const NewValue& one) {
+        return made.suffix == "joint" && name_of(one) == name_of(entry);
+      });
+      if (same == known.end()) {
+        known.push_back(std::move(entry));
+        continue;
+      }
+      for (NewValue& member : entry.children) {
+        if (member.key != "name") same->children.push_back(std::move(member));
+      }
+    }
     return;
   }
   files.push_back(std::move(made));

@@ -80,6 +80,12 @@ Diagnostic& Reporter::refuse(Span place, std::string message, std::string help) 
       .help(std::move(help));
 }
 
+Diagnostic& Reporter::refuse_name(Span place, std::string message, std::string help) {
+  if (!lacks_file_) return refuse(place, std::move(message), std::move(help));
+  has_refused_ = true;
+  return ignored_ = {};
+}
+
 Diagnostic& Reporter::exceed(Span place, std::string message, std::string_view name) {
   has_refused_ = true;
   return report(family_.limit, place, std::move(message)).help(raise_limit(name));

@@ -65,6 +65,12 @@ class Reporter {
 
   /// The reader of the language refuses the model for this.
   Diagnostic& refuse(Span place, std::string message, std::string help);
+  /// The same of a name that nothing has. It may be that of something in a file that is not there:
+  /// then that file is the cause, and nothing is said of the name.
+  Diagnostic& refuse_name(Span place, std::string message, std::string help);
+  /// From now on, an included file is known to be missing.
+  void lack_file() { lacks_file_ = true; }
+  bool lacks_file() const { return lacks_file_; }
   /// The model is larger than a limit; `name` is that of the limit.
   Diagnostic& exceed(Span place, std::string message, std::string_view name);
   /// A file is not there.
@@ -79,6 +85,7 @@ class Reporter {
   Context& context_;
   const Family& family_;
   bool has_refused_ = false;
+  bool lacks_file_ = false;
   Diagnostic ignored_;
   std::set<std::tuple<const Rule*, SourceId, std::uint32_t>> known_;
 };

@@ -12,6 +12,7 @@
 #include "base/findings/uncertain.hpp"
 #include "base/ranges.hpp"
 #include "base/sdf_sensor_types.hpp"
+#include "base/sdf_words.hpp"
 #include "base/text/lists.hpp"
 #include "base/text/quoted.hpp"
 #include "base/text/suggest.hpp"
@@ -20,39 +21,6 @@
 
 namespace smurf::sdf {
 namespace {
-
-/// Sensors that sdformat reads a `camera` of.
-constexpr std::string_view kCameras[] = {"camera",
-                                         "depth",
-                                         "depth_camera",
-                                         "rgbd",
-                                         "rgbd_camera",
-                                         "thermal",
-                                         "boundingbox",
-                                         "boundingbox_camera",
-                                         "wideanglecamera",
-                                         "wide_angle_camera",
-                                         "segmentation",
-                                         "thermal_camera",
-                                         "segmentation_camera"};
-constexpr std::string_view kPixels[] = {
-    "L_INT8",    "L_INT16",     "RGB_INT8",    "RGBA_INT8",   "BGRA_INT8",   "RGB_INT16",
-    "RGB_INT32", "BGR_INT8",    "BGR_INT16",   "BGR_INT32",   "R_FLOAT16",   "RGB_FLOAT16",
-    "R_FLOAT32", "RGB_FLOAT32", "BAYER_RGGB8", "BAYER_BGGR8", "BAYER_GBRG8", "BAYER_GRBG8",
-    "R8G8B8",    "L8",          "L16",         "B8G8R8"};
-constexpr std::string_view kNoise[] = {"none", "gaussian", "gaussian_quantized"};
-constexpr std::string_view kLights[] = {"point", "spot", "directional"};
-constexpr std::string_view kEmitters[] = {"point", "box", "cylinder", "ellipsoid"};
-constexpr std::string_view kShaders[] = {"pixel",
-                                         "vertex",
-                                         "normal_map_objectspace",
-                                         "normal_map_object_space",
-                                         "normal_map_tangentspace",
-                                         "normal_map_tangent_space"};
-constexpr std::string_view kJoints[] = {"ball",     "continuous", "fixed", "gearbox",  "prismatic",
-                                        "revolute", "revolute2",  "screw", "universal"};
-constexpr std::string_view kWrenchFrames[] = {"parent", "child", "sensor"};
-constexpr std::string_view kWrenchDirections[] = {"parent_to_child", "child_to_parent"};
 
 /// "`a`, `b` or another of the 30 that SDF has".
 template <class Words>

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "readers/rigid_bodies.hpp"
 #include "readers/sdf_language.hpp"
 #include "readers/sdf_values.hpp"
+#include "verdict/targets.hpp"
 
 namespace smurf::sdf {
 namespace {
@@ -23,6 +25,8 @@ class Scope {
 
   void add_link(std::string_view name) { add(name, "link", ""); }
   void add_joint(std::string_view name, std::string_view child) { add(name, "joint", child); }
+  /// What is no more, because links on fixed joints become one.
+  void add_merged(std::string_view name) { merged_.insert(name); }
 
   /// Reports what is wrong with the names and references in these children of a model.
   void check(const std::vector<xml::View>& elements) {
@@ -77,7 +81,8 @@ class Scope {
 
   void refer(Span place, std::string_view name) {
     if (name.empty() || is_known(name)) return;
-    report_(place, "Gazebo finds no link, joint or frame " + quoted(name));
+    Diagnostic& found = report_(place, "Gazebo finds no link, joint or frame " + quoted(name));
+    if (merged_.contains(name)) found.when(kMerged);
   }
 
   void refer(xml::View element) {
@@ -138,6 +143,7 @@ class Scope {
 
   const Report& report_;
   std::map<std::string_view, Frame> frames_;
+  std::set<std::string_view> merged_;
   bool has_links_ = false;
 };
 
@@ -173,14 +179,18 @@ void check_inertia(xml::View link, const Report& report) {
 
 /// Shapes, sensors and lights of one link have names of their own.
 void check_parts(const std::vector<xml::View>& parts, const Report& report) {
-  std::map<std::pair<std::string_view, std::string_view>, bool> seen;
+  std::map<std::pair<std::string_view, std::string_view>, xml::View> seen;
   for (const xml::View part : parts) {
     const std::string_view kind = part.name(), name = value_of(part, "name");
     const bool has_own_name = kind == "sensor" || kind == "light" || kind == "visual" ||
                               kind == "collision" || kind == "particle_emitter";
-    if (!has_own_name || name.empty() || seen.try_emplace({kind, name}).second) continue;
-    report(place_of(part, "name"),
-           "a second " + std::string(kind) + " " + quoted(name) + " of one link");
+    if (!has_own_name || name.empty()) continue;
+    const auto [first, is_new] = seen.try_emplace({kind, name}, part);
+    if (is_new) continue;
+    Diagnostic& found = report(place_of(part, "name"), "a second " + std::string(kind) + " " +
+                                                           quoted(name) + " of one link");
+    if (value_of(first->second.parent(), "reference") != value_of(part.parent(), "reference"))
+      found.when(kMerged);
   }
 }
 
@@ -303,12 +313,17 @@ class Extensions {
     Scope scope(report_);
     for (std::size_t i = 0; i < links_.size(); ++i) {
       const bool is_link = links_[i] && to_size(*links_[i]) == i;
-      if (is_link) scope.add_link(name_of(model_.robot->links[i].name));
+      const std::string_view name = name_of(model_.robot->links[i].name);
+      is_link ? scope.add_link(name) : scope.add_merged(name);
     }
     for (std::uint32_t i = 0; i < model_.robot->joints.size(); ++i) {
-      if (!is_kept(JointIndex{i})) continue;
+      const std::string_view name = name_of(model_.robot->joints[i].name);
+      if (!is_kept(JointIndex{i})) {
+        scope.add_merged(name);
+        continue;
+      }
       const std::optional<LinkIndex> child = model_.tree.joint_child[i];
-      scope.add_joint(name_of(model_.robot->joints[i].name), name_of(model_.link(*child).name));
+      scope.add_joint(name, name_of(model_.link(*child).name));
     }
     scope.check(added_);
   }

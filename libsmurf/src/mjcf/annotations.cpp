@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -146,24 +147,33 @@ class AnnotationWriter {
          s.place({"forcerange", "ctrlrange", "gear"}));
   }
 
-  /// Joints without a motor, which would have their armature.
+  /// Joints without a motor, which would have their armature. Of a ball, which a URDF has three
+  /// joints for, it is lost.
   void undriven() {
     const Joint* first = nullptr;
     std::size_t count = 0;
+    bool is_first = true;
     for (const Body& body : model_.bodies) {
       for (const Joint& joint : body.joints) {
         if (joint.type == Joint::Type::free || joint.armature == 0 || driven_.contains(joint.name))
           continue;
-        if (count++ == 0) first = &joint;
+        if (joint.type == Joint::Type::ball) {
+          if (count++ == 0) first = &joint;
+          continue;
+        }
+        const Place place = joint.settings.place({"armature"});
+        if (std::exchange(is_first, false)) yaml_.plain("joint:\n");
+        line("- ", "name", yaml_text(joint.name), place);
+        line("  ", "armature", format_number(joint.armature), place);
       }
     }
     if (first == nullptr) return;
     reporter_
-        .report(rules::sml9304_lost_in_urdf, first->settings.place({"armature"}).origin,
-                "an armature of SMURF is that of a motor, so that of " +
-                    (count == 1 ? "joint " + quoted(first->name)
-                                : std::to_string(count) + " joints without one") +
-                    " is lost")
+        .report(
+            rules::sml9304_lost_in_urdf, first->settings.place({"armature"}).origin,
+            "a URDF has three joints for a ball, so the armature of " +
+                (count == 1 ? "joint " + quoted(first->name) : std::to_string(count) + " balls") +
+                " is lost")
         .help("keep the MJCF for it");
   }
 
@@ -335,7 +345,9 @@ class AnnotationWriter {
     for (const Body& body : model_.bodies) {
       for (const Joint& joint : body.joints) count += size_of(joint);
     }
-    const auto numbers = numbers_of(*values, 0, count, reporter_);
+    // Joints may be in a file that is not there.
+    constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
+    const auto numbers = numbers_of(*values, 0, reporter_.lacks_file() ? kAny : count, reporter_);
     const Attribute* name = one.element.attribute("name");
     const Place tag{one.element.name_span(), one.element.tag_span()};
     const std::string text =

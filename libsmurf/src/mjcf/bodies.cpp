@@ -341,11 +341,11 @@ class Builder {
                              wanted.span().source == element.span().source &&
                              wanted.span().end > element.span().begin;
       if (!wanted || is_behind) {
-        reporter_.refuse(part->value_span(),
-                         "there is no " + std::string(kind) + " " + quoted(part->value()) +
-                             (model_name != nullptr ? " in " + quoted(model_name->value())
-                                                    : " before this place"),
-                         "write the name of one that is there");
+        reporter_.refuse_name(part->value_span(),
+                              "there is no " + std::string(kind) + " " + quoted(part->value()) +
+                                  (model_name != nullptr ? " in " + quoted(model_name->value())
+                                                         : " before this place"),
+                              "write the name of one that is there");
         return;
       }
     }
@@ -394,8 +394,8 @@ class Builder {
       is_known = true;
     });
     if (!is_known || path_attribute == nullptr) {
-      reporter_.refuse(name.value_span(), "there is no model " + quoted(name.value()),
-                       "add `<model>` to `<asset>`");
+      reporter_.refuse_name(name.value_span(), "there is no model " + quoted(name.value()),
+                            "add `<model>` to `<asset>`");
       return nullptr;
     }
     const std::string path = path::join(around.file->folder(), path_attribute->value());

@@ -39,11 +39,13 @@ Imported expand(SourceId root, Context& context) {
     tune_springs(model, reporter);
     JointFacts facts = facts_of_joints(model, reporter);
     robot.frames = std::move(model.frames);
-    model.files.front().report_unused_classes();
+    if (!reporter.lacks_file()) model.files.front().report_unused_classes();
     std::string text = write_robot(model, facts, reporter, robot);
     result.excluded = std::move(facts.excluded);
     xacro::Expansion& annotations = result.annotations;
-    std::string sections = write_annotations(model, reporter, annotations);
+    // Of half a model, everything would be lost.
+    std::string sections =
+        reporter.lacks_file() ? std::string() : write_annotations(model, reporter, annotations);
     robot.is_complete = !reporter.has_refused();
     annotations.root = root;
     annotations.language = Language::mjcf;

@@ -111,6 +111,7 @@ void ModelFile::include(View element) {
   }
   FileContent content = context.files.read(path, context.limits.file_bytes);
   if (content.status != ReadStatus::ok) {
+    reporter_.lack_file();
     reporter_.refuse(file->value_span(), "cannot read " + quoted(path) + ": " + content.reason,
                      "correct the path, which begins at the folder of the main file");
     return;
@@ -274,8 +275,8 @@ const DefaultClass* ModelFile::find_class(std::string_view name) const {
 const DefaultClass* ModelFile::named_class(const Attribute& name) const {
   const DefaultClass* found = find_class(name.value());
   if (found == nullptr)
-    reporter_.refuse(name.value_span(), "there is no class " + quoted(name.value()),
-                     "write the name of a class of `<default>`");
+    reporter_.refuse_name(name.value_span(), "there is no class " + quoted(name.value()),
+                          "write the name of a class of `<default>`");
   return found;
 }
 

@@ -191,8 +191,8 @@ std::optional<Geom> read_geom(View element, const Surroundings& around, Meshes& 
     const bool is_fitted = !is_meshed;
     mesh = meshes.find(file, geom.mesh, is_fitted || (counts && geom.shape == Shape::mesh));
     if (mesh == nullptr) {
-      reporter.refuse(s.place({"mesh"}).origin, "there is no mesh " + quoted(geom.mesh),
-                      "add it to `<asset>`");
+      reporter.refuse_name(s.place({"mesh"}).origin, "there is no mesh " + quoted(geom.mesh),
+                           "add it to `<asset>`");
       return std::nullopt;
     }
     if (is_fitted && geom.shape != Shape::plane && geom.shape != Shape::hfield) {

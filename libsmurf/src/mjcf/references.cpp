@@ -94,7 +94,7 @@ class Checker {
     if (names_.has(kind, full_name(value.value(), around)) ||
         names_.has(kind, std::string(value.value())))
       return;
-    Diagnostic& found = reporter_.refuse(
+    Diagnostic& found = reporter_.refuse_name(
         value.value_span(), "there is no " + std::string(kind) + " " + quoted(value.value()),
         "write the name of a " + std::string(kind));
     const auto known = names_.all(kind);

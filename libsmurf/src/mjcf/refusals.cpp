@@ -149,9 +149,9 @@ class Refusals {
   void check_texture(const Attribute& texture, const std::set<std::string_view>& known) {
     if (texture.value().empty() || known.contains(texture.value())) return;
     const std::vector<std::string_view> names(known.begin(), known.end());
-    Diagnostic& found =
-        reporter_.refuse(texture.value_span(), "there is no texture " + quoted(texture.value()),
-                         "write the name of a texture of `<asset>`");
+    Diagnostic& found = reporter_.refuse_name(texture.value_span(),
+                                              "there is no texture " + quoted(texture.value()),
+                                              "write the name of a texture of `<asset>`");
     if (const auto near = reporter_.context().sink.suggest(texture.value(), names))
       found.help("did you mean " + quoted(*near) + "?");
   }

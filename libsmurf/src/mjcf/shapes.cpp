@@ -86,8 +86,9 @@ void ShapeWriter::write_materials() {
       if (!geom.material.empty()) {
         const Settings* material = asset(*geom.file, "material", geom.material);
         if (material == nullptr) {
-          reporter_.refuse(place(geom, {"material"}).origin,
-                           "there is no material " + quoted(geom.material), "add it to `<asset>`");
+          reporter_.refuse_name(place(geom, {"material"}).origin,
+                                "there is no material " + quoted(geom.material),
+                                "add it to `<asset>`");
         } else {
           std::array<double, 4> own{1, 1, 1, 1};
           const bool has_own = material->numbers("rgba", own, 4, reporter_) > 0;

@@ -158,7 +158,8 @@ class Builder {
     if (pose) {
       vertex.raw = pose_in(pose).value_or(Pose{});
       vertex.relative_to = attribute_of(pose, "relative_to");
-      if (scope.file->version <= 6 && !attribute_of(pose, "frame").empty())
+      // libsdformat turns `frame` into `relative_to`, also an empty one.
+      if (scope.file->version <= 6 && pose.attribute("frame") != nullptr)
         vertex.relative_to = attribute_of(pose, "frame");
     }
     scope.names.emplace(name, &vertex);
@@ -178,7 +179,10 @@ class Builder {
       if (is_full_) return;
       if (one.name() == "model") add_model(one, *scope.file, &scope, {});
       if (one.name() == "include") include(one, scope);
-      if (one.name() == "light" && scope.is_world) model_.lights.push_back({one, {}, &scope});
+      if (one.name() == "light" && scope.is_world) {
+        refuse_reserved(one);
+        model_.lights.push_back({one, {}, &scope});
+      }
     }
     for (const View one : element) {
       if (one.name() == "link" && !scope.is_world) add_link(one, scope);
@@ -212,6 +216,13 @@ class Builder {
       link.is_static = link.is_static || at->is_static;
   }
 
+  void refuse_reserved(View element) {
+    const std::string_view name = attribute_of(element, "name");
+    if (is_reserved(name))
+      reporter_.refuse(name_place(element), quoted(name) + " is a name that SDF reserves",
+                       "choose another name");
+  }
+
   /// Visuals, collisions and sensors of a link or a joint have names of their own.
   void check_names_in(View element) {
     std::map<std::pair<std::string_view, std::string_view>, Span> names;
@@ -228,11 +239,7 @@ class Builder {
                     "choose another name")
             .label(first->second, "the first one");
       }
-      if (is_reserved(attribute_of(one, "name"))) {
-        reporter_.refuse(name_place(one),
-                         quoted(attribute_of(one, "name")) + " is a name that SDF reserves",
-                         "choose another name");
-      }
+      refuse_reserved(one);
       if (one.name() == "sensor") check_sensor(one);
     }
   }
@@ -287,6 +294,7 @@ class Builder {
     Vertex* vertex = nullptr;
     const View place = overrides.element ? overrides.element : element;
     if (overrides.is_merged) name = "_merged__" + name + "__model__";
+    if (outer == nullptr && !model_.is_entity) refuse_reserved(element);
     if (outer != nullptr) {
       const auto own = overrides.is_merged && !outer->names.contains(name)
                            ? std::optional(name)
@@ -332,8 +340,8 @@ class Builder {
         !element.child("include") &&
         !std::any_of(scope.order.begin(), scope.order.end(),
                      [](const Vertex* one) { return one->kind == Vertex::Kind::model; })) {
-      reporter_.refuse(element.name_span(), "the model " + quoted(name) + " has no link",
-                       "add a `<link>`");
+      reporter_.refuse_name(element.name_span(), "the model " + quoted(name) + " has no link",
+                            "add a `<link>`");
     }
   }
 
@@ -385,7 +393,8 @@ class Builder {
     overrides.element = element;
     overrides.name = text_in(element, "name");
     overrides.pose = element.child("pose");
-    if (const View one = element.child("static")) overrides.is_static = truth_in(text_of(one));
+    if (const View one = element.child("static"))
+      overrides.is_static = sdf::read_flag(text_of(one));
     if (const View one = element.child("placement_frame")) {
       overrides.placement_frame = std::string(text_of(one));
       if (!overrides.pose) {
@@ -393,7 +402,7 @@ class Builder {
                          "write the pose of this frame");
       }
     }
-    overrides.is_merged = truth_in(attribute_of(element, "merge")).value_or(false);
+    overrides.is_merged = sdf::read_flag(attribute_of(element, "merge")).value_or(false);
     for (const View one : element) {
       if (one.name() == "experimental:params") {
         reporter_

@@ -41,9 +41,6 @@ class Files {
  private:
   const SdfFile* parse(SourceId source, const std::string& path);
   bool read_version(SdfFile& file);
-  void check(View element, const Grammar& grammar, int version);
-  void check_attributes(View element, const Grammar& grammar, int version);
-  void check_value(View element, const Grammar& known);
   /// The file or the folder of a model that `NAME/REST` names; "" if there is none.
   const std::string& place_of_name(const std::string& name, const std::string& near);
   bool is_there(const std::string& path);

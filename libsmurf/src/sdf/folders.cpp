@@ -148,6 +148,7 @@ std::optional<std::string> Files::search_model(const std::string& uri, const Sdf
         .help("put its folder, with `model.config`, into `models`");
     return std::nullopt;
   }
+  reporter_.lack_file();
   reporter_.miss(place, "there is no model " + quoted(uri),
                  "put its folder, with `model.config`, beside that of this model or into `models`");
   return std::nullopt;

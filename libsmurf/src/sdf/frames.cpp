@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The graph of frames: which pose is relative to which, and which frame moves with which link.
+#include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
 #include "sdf/model.hpp"
 
@@ -86,18 +87,32 @@ Pose Frames::in_world(Vertex& vertex) {
   return in(vertex, *top);
 }
 
-Pose Frames::express(Scope& scope, std::string_view name, Span place) {
-  if (name.empty() || name == "__model__") return {};
-  if (name == "world" && scope.is_world) return {};
+std::optional<Pose> Frames::pose_of(Scope& scope, std::string_view name) {
+  if (name.empty() || name == "__model__") return Pose{};
+  if (name == "world" && scope.is_world) return Pose{};
   Vertex* vertex = find(scope, name);
   if (vertex == nullptr && name.ends_with("::__model__"))
     vertex = find(scope, name.substr(0, name.size() - 11));
-  if (vertex == nullptr) {
-    reporter_.refuse(place, "there is no frame " + quoted(name) + " in " + quoted(scope.name),
-                     "name a link, a joint, a frame or a model in it");
-    return {};
-  }
-  return in(*vertex, scope);
+  return vertex != nullptr ? std::optional(in(*vertex, scope)) : std::nullopt;
+}
+
+Pose Frames::express(Scope& scope, std::string_view name, Span place) {
+  const auto pose = pose_of(scope, name);
+  if (!pose)
+    reporter_.refuse_name(place, "there is no frame " + quoted(name) + " in " + quoted(scope.name),
+                          "name a link, a joint, a frame or a model in it");
+  return pose.value_or(Pose{});
+}
+
+std::optional<Pose> Frames::express_late(Scope& scope, std::string_view name, Span place) {
+  auto pose = pose_of(scope, name);
+  if (!pose)
+    reporter_
+        .report(rules::sml9314_ignored_by_sdformat, place,
+                "there is no frame " + quoted(name) + " in " + quoted(scope.name) +
+                    ", so this has no effect")
+        .help("name a link, a joint, a frame or a model in it");
+  return pose;
 }
 
 void Frames::index_links(std::deque<Link>& links) {

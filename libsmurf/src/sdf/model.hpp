@@ -159,6 +159,9 @@ class Frames {
   /// The frame of a name in a scope: "", `__model__`, `world`, `a`, `n::a`. Reports a name that
   /// nothing has at `place`.
   Pose express(Scope& scope, std::string_view name, Span place);
+  /// The same for shapes, sensors, lights and axes, whose frames libsdformat looks for only when a
+  /// program asks: a name that nothing has is ignored, which is a warning.
+  std::optional<Pose> express_late(Scope& scope, std::string_view name, Span place);
   /// Null if nothing in a scope has the name.
   static Vertex* find(const Scope& scope, std::string_view name);
   /// The link that a name moves with, or the world; none if there is none.
@@ -168,6 +171,7 @@ class Frames {
 
  private:
   Pose in(Vertex& vertex, const Scope& target);
+  std::optional<Pose> pose_of(Scope& scope, std::string_view name);
 
   Reporter& reporter_;
   std::map<const Vertex*, LinkIndex> links_;

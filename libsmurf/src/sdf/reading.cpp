@@ -2,72 +2,12 @@
 #include "sdf/reading.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <system_error>
-
-#include "base/numbers/floating.hpp"
 
 namespace smurf::sdformat {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r\n\v\f";
 constexpr double kDegree = 3.14159265358979323846 / 180;
-
-std::string lower_case(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return result;
-}
-
-/// Reads the number at the start of the text, and removes it from the text.
-std::optional<double> take_number(std::string_view& text) {
-  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-  std::string_view rest = text;
-  const bool is_negative = rest.starts_with('-');
-  if (is_negative || rest.starts_with('+')) rest.remove_prefix(1);
-  const double sign = is_negative ? -1 : 1;
-  const std::string word = lower_case(rest.substr(0, 8));
-  double value = 0;
-  if (word.starts_with("inf")) {
-    rest.remove_prefix(word.starts_with("infinity") ? 8 : 3);
-    value = std::numeric_limits<double>::infinity();
-  } else if (word.starts_with("nan")) {
-    rest.remove_prefix(3);
-    value = std::numeric_limits<double>::quiet_NaN();
-  } else {
-    constexpr std::string_view kDigits = "0123456789abcdef.";
-    const bool is_hexadecimal = word.size() > 2 && word.starts_with("0x") &&
-                                kDigits.find(word[2]) != std::string_view::npos;
-    if (is_hexadecimal) rest.remove_prefix(2);
-    if (rest.starts_with('-') || rest.starts_with('+')) return std::nullopt;
-    const auto result = is_hexadecimal ? read_hexadecimal(rest, value) : read_floating(rest, value);
-    if (result.ptr == rest.data()) return std::nullopt;
-    const auto size = static_cast<std::size_t>(result.ptr - rest.data());
-    // As strtod(): 1e999 is infinite, 1e-999 is zero.
-    if (result.ec != std::errc() && word.find("e-") == std::string::npos)
-      value = std::numeric_limits<double>::infinity();
-    rest.remove_prefix(size);
-  }
-  text = rest;
-  return sign * value;
-}
-
-/// The number at the beginning of each word; none if one has none, or if it is not finite.
-std::optional<std::vector<double>> numbers_of_words(std::string_view rest) {
-  std::vector<double> numbers;
-  while (true) {
-    rest.remove_prefix(std::min(rest.find_first_not_of(kBlanks), rest.size()));
-    if (rest.empty()) return numbers;
-    const std::size_t end = std::min(rest.find_first_of(kBlanks), rest.size());
-    std::string_view word = rest.substr(0, end);
-    const auto number = take_number(word);
-    if (!number || !std::isfinite(*number) || numbers.size() > 8) return std::nullopt;
-    numbers.push_back(*number);
-    rest.remove_prefix(end);
-  }
-}
 
 }  // namespace
 
@@ -82,46 +22,24 @@ std::string_view text_in(View element, std::string_view child) {
   return text_of(element.child(child));
 }
 
-std::optional<double> leading_number(std::string_view text) { return take_number(text); }
-
-std::vector<double> leading_numbers(std::string_view text, std::size_t most) {
-  std::vector<double> numbers;
-  while (numbers.size() < most) {
-    const auto number = take_number(text);
-    if (!number) break;
-    numbers.push_back(*number);
-  }
-  return numbers;
-}
-
-std::optional<bool> truth_in(std::string_view text) {
-  const std::string word = lower_case(text);
-  if (word == "1" || word == "true") return true;
-  if (word == "0" || word == "false") return false;
-  return std::nullopt;
-}
-
 double number_in(View element, std::string_view child, double usual) {
   const View found = element ? element.child(child) : View();
-  return found ? leading_number(text_of(found)).value_or(usual) : usual;
+  return found ? sdf::read_scalar('d', text_of(found)).value_or(usual) : usual;
 }
 
 bool truth_in(View element, std::string_view child, bool usual) {
   const View found = element ? element.child(child) : View();
-  return found ? truth_in(text_of(found)).value_or(usual) : usual;
+  return found ? sdf::read_flag(text_of(found)).value_or(usual) : usual;
 }
 
 Vector3 vector_in(View element, std::string_view child, const Vector3& usual) {
   const View found = element ? element.child(child) : View();
-  const auto numbers = found ? leading_numbers(text_of(found), 3) : std::vector<double>();
-  return numbers.size() == 3 ? Vector3{numbers[0], numbers[1], numbers[2]} : usual;
+  return found ? sdf::read_vector(text_of(found)).value_or(usual) : usual;
 }
 
 std::optional<std::array<double, 4>> colour_in(std::string_view text) {
-  const auto numbers = numbers_of_words(text);
-  if (!numbers || numbers->size() < 3 || numbers->size() > 4) return std::nullopt;
-  if (std::any_of(numbers->begin(), numbers->end(), [](double one) { return one < 0; }))
-    return std::nullopt;
+  const auto numbers = sdf::read_color(text);
+  if (!numbers) return std::nullopt;
   return std::array<double, 4>{(*numbers)[0], (*numbers)[1], (*numbers)[2],
                                numbers->size() == 4 ? (*numbers)[3] : 1};
 }
@@ -132,12 +50,11 @@ std::optional<Pose> pose_in(View pose) {
   const std::string_view format = attribute_of(pose, "rotation_format");
   const bool is_quaternion = format == "quat_xyzw";
   if (!format.empty() && !is_quaternion && format != "euler_rpy") return std::nullopt;
-  const bool is_degree = truth_in(attribute_of(pose, "degrees")).value_or(false);
+  const bool is_degree = sdf::read_flag(attribute_of(pose, "degrees")).value_or(false);
   if (is_degree && is_quaternion) return std::nullopt;
-  const auto written = numbers_of_words(text);
+  const auto written = sdf::read_pose(text, is_quaternion);
   if (!written) return std::nullopt;
   const std::vector<double>& numbers = *written;
-  if (numbers.size() != (is_quaternion ? 7U : 6U)) return std::nullopt;
   Pose result{{numbers[0], numbers[1], numbers[2]}, {}};
   if (is_quaternion) {
     const Quaternion q{numbers[6], numbers[3], numbers[4], numbers[5]};
@@ -148,6 +65,8 @@ std::optional<Pose> pose_in(View pose) {
   }
   return result;
 }
+
+bool is_plain_pose(std::string_view text) { return sdf::read_pose(text, false).has_value(); }
 
 Place tag_of(View element, xacro::FrameId frame) {
   return {element.name_span(), element.tag_span(), frame};

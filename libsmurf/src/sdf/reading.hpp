@@ -3,12 +3,12 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/numbers/sdf_values.hpp"
 #include "imports/imports.hpp"
 #include "imports/mass.hpp"
 #include "imports/traced_xml.hpp"
@@ -36,13 +36,6 @@ std::string_view text_of(View element);
 /// The text of the first child of a name, trimmed.
 std::string_view text_in(View element, std::string_view child);
 
-/// The number at the beginning of a text, as strtod() reads it: "1,5" is 1, "0x10" is 16.
-std::optional<double> leading_number(std::string_view text);
-/// The numbers at the beginning of a text, at most `most`.
-std::vector<double> leading_numbers(std::string_view text, std::size_t most);
-/// "1", "0", "true" and "false" in any case.
-std::optional<bool> truth_in(std::string_view text);
-
 /// The value of the first child of a name; `usual` if it is not there or cannot be read, which was
 /// reported when the file was checked.
 double number_in(View element, std::string_view child, double usual);
@@ -55,6 +48,8 @@ std::optional<std::array<double, 4>> colour_in(std::string_view text);
 /// The pose that a `<pose>` gives; none if libsdformat cannot read it. An absent or empty one is
 /// the identity.
 std::optional<Pose> pose_in(View pose);
+/// The same of a text, which no attribute says more about: six numbers.
+bool is_plain_pose(std::string_view text);
 
 /// The text of an element, or its tag if it has none.
 Place place_of(View element, xacro::FrameId frame);

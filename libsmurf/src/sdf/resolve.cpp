@@ -5,6 +5,7 @@
 #include <set>
 #include <utility>
 
+#include "base/files/path.hpp"
 #include "base/findings/rules.hpp"
 #include "base/numbers/exact_math.hpp"
 #include "base/text/quoted.hpp"
@@ -41,8 +42,8 @@ class Resolver {
     for (Vertex& vertex : model_.vertices) frames_.in_scope(vertex);
     for (Scope& scope : model_.scopes) {
       if (!scope.canonical_link.empty() && !frames_.body_of(scope, scope.canonical_link)) {
-        reporter_.refuse(scope.element.attribute("canonical_link")->value_span(),
-                         "there is no link " + quoted(scope.canonical_link), "name a link");
+        reporter_.refuse_name(scope.element.attribute("canonical_link")->value_span(),
+                              "there is no link " + quoted(scope.canonical_link), "name a link");
       }
     }
     for (const Vertex& vertex : model_.vertices) check_attached(vertex);
@@ -56,10 +57,10 @@ class Resolver {
     if (frames_.body_of(*vertex.scope, vertex.attached_to) ||
         (vertex.scope->is_static && Frames::find(*vertex.scope, vertex.attached_to)))
       return;
-    reporter_.refuse(vertex.element.attribute("attached_to")->value_span(),
-                     "there is no frame " + quoted(vertex.attached_to) + " to which " +
-                         quoted(vertex.name) + " could be attached",
-                     "name a link, a joint, a frame or a model beside it");
+    reporter_.refuse_name(vertex.element.attribute("attached_to")->value_span(),
+                          "there is no frame " + quoted(vertex.attached_to) + " to which " +
+                              quoted(vertex.name) + " could be attached",
+                          "name a link, a joint, a frame or a model beside it");
   }
 
   std::optional<Body> end(const Joint& joint, std::string_view which, const std::string& name) {
@@ -70,20 +71,21 @@ class Resolver {
     if (body && (name.empty() || name == "__model__" || (which == "child" && !body->link)))
       body.reset();
     if (!body) {
-      reporter_.refuse(place,
-                       which == "child" && name == "world"
-                           ? "the world cannot be the child of a joint"
-                           : "there is no " + std::string(which) + " " + quoted(name) + " of " +
-                                 quoted(joint.vertex->name),
-                       which == "child" && name == "world" ? "exchange parent and child"
-                                                           : "name a link or a frame of the model");
+      reporter_.refuse_name(place,
+                            which == "child" && name == "world"
+                                ? "the world cannot be the child of a joint"
+                                : "there is no " + std::string(which) + " " + quoted(name) +
+                                      " of " + quoted(joint.vertex->name),
+                            which == "child" && name == "world"
+                                ? "exchange parent and child"
+                                : "name a link or a frame of the model");
     }
     return body;
   }
 
   void resolve(Joint& joint) {
     const View element = joint.vertex->element;
-    const std::string_view type = attribute_of(element, "type");
+    const std::string type = path::to_lower(attribute_of(element, "type"));
     const auto* row = std::find_if(std::begin(kTypes), std::end(kTypes),
                                    [&](const auto& one) { return one.first == type; });
     if (row != std::end(kTypes)) {
@@ -179,9 +181,10 @@ class Resolver {
     if (!frame.empty()) {
       const Span place = written != nullptr ? written->value_span() : Span{};
       Scope& scope = *joint.vertex->scope;
-      const Pose X_SF = frames_.express(scope, frame, place);
-      const Pose X_FJ = inverse(frames_.in_scope(*joint.vertex)) * X_SF;
-      v = rotate(X_FJ.orientation, v);
+      if (const auto X_SF = frames_.express_late(scope, frame, place)) {
+        const Pose X_JF = inverse(frames_.in_scope(*joint.vertex)) * *X_SF;
+        v = rotate(X_JF.orientation, v);
+      }
     }
     axis.xyz = v;
   }

@@ -28,16 +28,30 @@ constexpr Row kRows[] = {
 };
 
 ValueKind kind_of(std::string_view word) {
+  word = word.substr(0, word.find('['));
   constexpr std::pair<std::string_view, ValueKind> kWords[] = {
-      {"any", ValueKind::any},          {"text", ValueKind::text},
-      {"bool", ValueKind::boolean},     {"int", ValueKind::integer},
-      {"double", ValueKind::number},    {"float", ValueKind::number},
-      {"time", ValueKind::number},      {"vector2d", ValueKind::numbers2},
-      {"vector3", ValueKind::numbers3}, {"color", ValueKind::color},
+      {"any", ValueKind::any},
+      {"text", ValueKind::text},
+      {"bool", ValueKind::boolean},
+      {"int", ValueKind::integer},
+      {"double", ValueKind::number},
+      {"float", ValueKind::single},
+      {"time", ValueKind::numbers2},
+      {"vector2d", ValueKind::numbers2},
+      {"uint", ValueKind::unsigned_integer},
+      {"vector3", ValueKind::numbers3},
+      {"color", ValueKind::color},
       {"pose", ValueKind::pose}};
   const auto* found = std::find_if(std::begin(kWords), std::end(kWords),
                                    [&](const auto& one) { return one.first == word; });
   return found != std::end(kWords) ? found->second : ValueKind::none;
+}
+
+/// Of "double[0,1]": "0,1".
+std::string_view range_of(std::string_view word) {
+  const std::size_t at = word.find('[');
+  return at == std::string_view::npos ? std::string_view()
+                                      : word.substr(at + 1, word.size() - at - 2);
 }
 
 class Table {
@@ -54,6 +68,7 @@ class Table {
       one.name = row.name;
       one.count = row.count;
       one.kind = kind_of(row.kind);
+      one.range = range_of(row.kind);
       read_attributes(row.attributes, one);
       if (!row.type.empty()) types_.emplace(row.type, &one);
       if (!open.empty()) open.back()->children.push_back(&one);

@@ -14,6 +14,8 @@ enum class ValueKind : std::uint8_t {
   text,
   boolean,
   integer,
+  unsigned_integer,
+  single,  ///< a number that a float holds
   number,
   numbers2,
   numbers3,
@@ -31,6 +33,7 @@ struct Grammar {
   std::string_view name;
   char count = '?';
   ValueKind kind = ValueKind::none;
+  std::string_view range;  ///< of a number: "least,most", either may be absent
   std::vector<AttributeRow> attributes;
   std::vector<const Grammar*> children;
 

@@ -64,7 +64,7 @@ Shape read_shape(View owner) {
   case Shape::Kind::cone: s = {number_in(e, "radius", 1), number_in(e, "length", 1), 0}; break;
   case Shape::Kind::capsule: s = {number_in(e, "radius", 0.5), number_in(e, "length", 1), 0}; break;
   case Shape::Kind::plane: {
-    const auto sides = leading_numbers(text_in(e, "size"), 2);
+    const auto sides = sdf::streamed_numbers(text_in(e, "size"), 2);
     s = {sides.size() == 2 ? sides[0] : 1, sides.size() == 2 ? sides[1] : 1, 0};
     Vector3 n = vector_in(e, "normal", {0, 0, 1});
     const double length = hypotenuse(n[0], n[1], n[2]);
@@ -82,11 +82,10 @@ Pose pose_of_shape(View owner, const Link& link, Frames& frames) {
   const Pose raw = pose_in(pose).value_or(Pose{});
   Scope& scope = *link.vertex->scope;
   const Attribute* name = pose.attribute("frame");
-  if (scope.file->version > 6 || name == nullptr || name->value().empty())
-    name = pose.attribute("relative_to");
+  if (scope.file->version > 6 || name == nullptr) name = pose.attribute("relative_to");
   if (name == nullptr || name->value().empty()) return raw;
-  return inverse(frames.in_scope(*link.vertex)) *
-         frames.express(scope, name->value(), name->value_span()) * raw;
+  const auto X_SF = frames.express_late(scope, name->value(), name->value_span());
+  return X_SF ? inverse(frames.in_scope(*link.vertex)) * *X_SF * raw : raw;
 }
 
 bool becomes_ground(const Model& model, const Link& link) {

@@ -34,7 +34,7 @@ class Scales {
     link.of_mass = place_in(base, "mass", frame);
     link.of_center = place_in(base, "pose", frame);
     link.of_inertia = place_in(base, "inertia", frame);
-    if (inertial && truth_in(attribute_of(inertial, "auto")).value_or(false) &&
+    if (inertial && sdf::read_flag(attribute_of(inertial, "auto")).value_or(false) &&
         link.vertex->scope->file->version >= 10) {
       weigh_collisions(link, inertial);
       return;
@@ -69,11 +69,19 @@ class Scales {
 
   void check(const Link& link, View inertia) {
     const MassProperties& mass = *link.mass;
-    if (mass.mass < 0) {
-      reporter_.refuse(link.of_mass.origin, "the mass is negative", "write the mass in kg");
+    if (!(mass.mass >= 0)) {
+      reporter_.refuse(link.of_mass.origin,
+                       mass.mass < 0 ? "the mass is negative" : "the mass is not a number",
+                       "write the mass in kg");
       return;
     }
     if (!inertia) return;
+    if (!std::all_of(mass.inertia.begin(), mass.inertia.end(),
+                     [](double one) { return std::isfinite(one); })) {
+      reporter_.refuse(inertia.name_span(), "a moment of inertia is not finite",
+                       "compute the tensor again, about the centre of mass");
+      return;
+    }
     const Vector3 moments = imports::principal_of(mass.inertia).moments;
     const double large = moments[0];
     const double small = std::min(moments[1], moments[2]);

@@ -252,8 +252,9 @@ class WorldWriter {
                                                      : attribute_of(named, "name"));
     Pose X;
     if (const View pose = posed.child("pose")) {
-      X = frames_.express(*one.scope, attribute_of(pose, "relative_to"), pose.name_span()) *
-          pose_in(pose).value_or(Pose{});
+      const auto X_WF =
+          frames_.express_late(*one.scope, attribute_of(pose, "relative_to"), pose.name_span());
+      X = X_WF.value_or(Pose{}) * pose_in(pose).value_or(Pose{});
     }
     const Place of_pose = place_in(posed, "pose", xacro::kNoFrame);
     const std::string_view type = attribute_of(e, "type");

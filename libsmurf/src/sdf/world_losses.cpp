@@ -61,12 +61,12 @@ constexpr std::string_view kOpened[] = {"atmosphere", "attenuation", "constraint
 
 bool is_usual(std::string_view text, std::string_view usual) {
   if (usual.empty()) return false;
-  const auto truth = truth_in(text);
-  if (truth && truth == truth_in(usual)) return true;
+  const auto truth = sdf::read_flag(text);
+  if (truth && truth == sdf::read_flag(usual)) return true;
   constexpr std::size_t kMost = 4;
   constexpr double kRounding = 5e-7;  // of the magnetic field, T
-  const std::vector<double> wanted = leading_numbers(usual, kMost);
-  const std::vector<double> found = leading_numbers(text, kMost);
+  const std::vector<double> wanted = sdf::streamed_numbers(usual, kMost);
+  const std::vector<double> found = sdf::streamed_numbers(text, kMost);
   if (wanted.empty()) return text == usual;
   // The alpha of a colour may be missing.
   const bool is_colour = wanted.size() == kMost && found.size() + 1 == kMost;

@@ -40,7 +40,7 @@ constexpr Fact kReadsFileItself{.makes = "reads the file itself, and no URDF of 
 bool is_beside(const Reader& reader, const Rule& rule, const Circumstances& where) {
   for (const Circumstance* language : {&cases::kOfMjcf, &cases::kOfSdf}) {
     if (where.contains(*language) && reads_itself(reader, *language))
-      return !is_taken_over(rule, *language);
+      return !is_taken_over(rule, where, *language);
   }
   return false;
 }
@@ -141,7 +141,8 @@ bool reads_itself(const Reader& reader, const Circumstance& language) {
   return false;
 }
 
-bool is_taken_over(const Rule& rule, const Circumstance& language) {
+bool is_taken_over(const Rule& rule, const Circumstances& where, const Circumstance& language) {
+  if (where.contains(kMerged)) return false;
   return rule.taken_over == TakenOver::always ||
          (rule.taken_over == TakenOver::from_sdf && &language == &cases::kOfSdf);
 }

@@ -13,8 +13,12 @@ namespace smurf {
 /// What another file or argument may settle: an info for every target.
 inline constexpr Circumstance kExcused{"excused"};
 
-/// See Rule::taken_over. `language`: cases::kOfMjcf or kOfSdf.
-bool is_taken_over(const Rule& rule, const Circumstance& language);
+/// The name of a link or joint that is there, and that sdformat merges with another when it reads
+/// a URDF.
+inline constexpr Circumstance kMerged{"merged"};
+
+/// See Rule::taken_over. `where`: the cases of a finding; `language`: cases::kOfMjcf or kOfSdf.
+bool is_taken_over(const Rule& rule, const Circumstances& where, const Circumstance& language);
 /// Whether our facts about a reader are about files of such a language itself, and not about the
 /// URDF of it.
 bool reads_itself(const Reader& reader, const Circumstance& language);

@@ -271,14 +271,13 @@ class MjcfWriter : MjcfLoops {
     const bool is_linear = joint.type == urdf::JointType::prismatic;
     const DriveGains gains = gains_of(i, joint);
     const auto& dynamics = joint.dynamics;
-    const double damping = dynamics ? dynamics->damping.value_or(0) : 0;
     std::vector<XmlText::Attribute> attributes{
         {"name", name(i, joint.name.value_or(""))},
         {"type", is_linear ? "slide" : "hinge"},
         {"axis", join_numbers(rotate(part.X_BJ.orientation, losses_.axis_of(joint)))},
         {"limited", is_limited && lower < upper ? "true" : "false"},
         {"range", join_numbers({lower, upper})},
-        {"damping", format_number(damping + gains.damping)},
+        {"damping", format_number((dynamics ? dynamics->damping.value_or(0) : 0) + gains.damping)},
         {"frictionloss", format_number(dynamics ? dynamics->friction.value_or(0) : 0)}};
     if (const JointSpring* spring = spring_of(model, joint); spring && spring->stiffness != 0) {
       attributes.emplace_back("stiffness", format_number(spring->stiffness));
@@ -286,7 +285,8 @@ class MjcfWriter : MjcfLoops {
     }
     if (part.X_BJ.position != Vector3{})
       attributes.emplace_back("pos", join_numbers(part.X_BJ.position));
-    if (gains.armature > 0) attributes.emplace_back("armature", format_number(gains.armature));
+    if (const double armature = armature_of(model, joint, gains); armature > 0)
+      attributes.emplace_back("armature", format_number(armature));
     xml_.empty("joint", attributes);
     keys_.add_position(i, joint, start_of(i, joint));
     if (joint.mimic) add_follower(i, model, joint);

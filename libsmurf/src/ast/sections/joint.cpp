@@ -138,6 +138,13 @@ constexpr KeySpec kMoreKeys[] = {
      .unit = "N m s/rad or N s/m",
      .read_by = "MARS 2, MARS with envire",
      .minimum = 0},
+    {.name = "armature",
+     .type = number,
+     .doc = "Inertia about the axis of a joint besides that of its links, where it has no motor "
+            "that says so, in a simulator that has it. smurfs-flatten writes it into MJCF.",
+     .unit = "kg m^2 or kg",
+     .read_by = "nobody",
+     .minimum = 0},
     {.name = "damping",
      .type = number,
      .doc = "Damping, written by Phobos 2.",

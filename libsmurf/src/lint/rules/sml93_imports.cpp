@@ -166,8 +166,10 @@ extern constinit const Rule sml9314_ignored_by_sdformat{
     .name = "ignored-by-sdformat",
     .severity = Severity::warning,
     .summary = "libsdformat ignores a part of an SDF file.",
-    .why = "An element or attribute of another name, a second one where there can be one, and what "
-           "follows a comma in a number have no effect, and nothing tells of it.",
+    .why =
+        "An element or attribute of another name or of another version of SDF, a second one where "
+        "there can be one, the name of a frame that is not there, and what follows a comma in a "
+        "number have no effect, and nothing tells of it.",
     .remedy = "Correct the name or the number, or delete the part.",
     .sources = "libsdformat 12, run."};
 

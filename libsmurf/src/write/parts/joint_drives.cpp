@@ -30,6 +30,16 @@ DriveKind kind_of(std::string_view interface) {
   return DriveKind::effort;
 }
 
+/// A number of an annotation that only simulators read.
+std::optional<double> stated(const LinkedModel& model, const Annotation& one,
+                             std::string_view key) {
+  const yaml::Document* document = model.document(one.span.source);
+  if (document == nullptr) return std::nullopt;
+  const yaml::View value = yaml::View(*document, one.node).find(key);
+  const auto number = value ? value.number() : std::nullopt;
+  return number && *number >= 0 && is_quantity(*number) ? number : std::nullopt;
+}
+
 class DriveReader {
  public:
   DriveReader(const LinkedModel& model, const MotorOptions& options)
@@ -177,18 +187,9 @@ class DriveReader {
       drive->upper = upper;
     }
     drive->gain = above_zero(motor.p.value()).value_or(drive->gain);
-    drive->kp = stated(motor, "kp");
-    drive->kv = stated(motor, "kv");
-    drive->armature = stated(motor, "armature");
-  }
-
-  /// A number of a motor that only simulators read.
-  std::optional<double> stated(const Motor& motor, std::string_view key) const {
-    const yaml::Document* document = model_.document(motor.span.source);
-    if (document == nullptr) return std::nullopt;
-    const yaml::View value = yaml::View(*document, motor.node).find(key);
-    const auto number = value ? value.number() : std::nullopt;
-    return number && *number >= 0 && is_quantity(*number) ? number : std::nullopt;
+    drive->kp = stated(model_, motor, "kp");
+    drive->kv = stated(model_, motor, "kv");
+    drive->armature = stated(model_, motor, "armature");
   }
 
   void of_extensions(std::string_view name, void (DriveReader::*take)(xml::View)) {
@@ -273,6 +274,15 @@ std::string origin_of(const ControlledJoint& joint) {
 
 std::vector<JointDrive> joint_drives(const LinkedModel& model, const MotorOptions& options) {
   return model.robot ? DriveReader(model, options).read() : std::vector<JointDrive>();
+}
+
+double armature_of(const LinkedModel& model, const urdf::Joint& joint, const DriveGains& gains) {
+  if (gains.armature > 0) return gains.armature;
+  for (const JointAnnotation& one : model.annotations.joints) {
+    if (joint.name && one.name && *one.name == *joint.name)
+      return stated(model, one, "armature").value_or(0);
+  }
+  return 0;
 }
 
 DriveGains gains_of(const JointDrive& drive) {
