@@ -331,7 +331,11 @@ class Overview {
     for (std::size_t i = 0; i < count; ++i) {
       const std::size_t which = is_unknown_name ? count - 1 - i : i;
       std::set<std::string_view> distinct;
-      for (const Diagnostic* one : kind.findings) distinct.insert(names_in(one->message)[which]);
+      for (const Diagnostic* one : kind.findings) {
+        // A name may contain backquotes.
+        const std::vector<std::string_view> names = names_in(one->message);
+        if (which < names.size()) distinct.insert(names[which]);
+      }
       if (distinct.size() == kind.findings.size()) return which;
     }
     return std::string_view::npos;

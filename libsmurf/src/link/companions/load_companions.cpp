@@ -78,11 +78,12 @@ bool has_robot(const std::vector<std::string>& paths, std::string_view name,
   });
 }
 
-/// The names of the robots in these files. Parts of a xacro have none.
-std::set<std::string> robot_names(const std::vector<std::string>& paths,
-                                  const LoadContext& context) {
+/// The names of the robots in these files, at most so many. Parts of a xacro have none.
+std::set<std::string> robot_names(const std::vector<std::string>& paths, const LoadContext& context,
+                                  std::size_t most) {
   std::set<std::string> names;
   for (const std::string& path : paths) {
+    if (names.size() >= most) break;
     if (is_companion_path(path)) continue;
     const FileContent content = context.files.read(path, context.limits.file_bytes);
     const std::string_view name = robot_name_in(content.text);
@@ -263,8 +264,8 @@ class Finder {
     const std::vector<std::string>& all = robots();
     const bool is_only_urdf = std::count_if(all.begin(), all.end(), is_urdf) == 1;
     if (!is_only_urdf && evidence == Evidence::below) return false;
-    const std::set<std::string> names = robot_names(all, context_);
-    return (is_only_urdf || names.size() == 1) && !names.contains(std::string(name));
+    if (!names_) names_ = robot_names(all, context_, is_only_urdf ? all.size() : 2);
+    return (is_only_urdf || names_->size() == 1) && !names_->contains(std::string(name));
   }
 
   const std::vector<std::string>& robots() {
@@ -371,6 +372,7 @@ class Finder {
   Companions found_;
   CompanionPlaces places_;
   std::optional<std::vector<std::string>> robots_;  ///< around it, also in xacro
+  std::optional<std::set<std::string>> names_;      ///< of the robots, see may_be_for()
   std::optional<std::vector<std::vector<std::size_t>>> variants_;
   /// Ends of the paths of files that plugins of other robots name.
   std::optional<std::set<std::string, std::less<>>> of_other_plugins_;
@@ -398,9 +400,9 @@ std::vector<std::string> robots_of(const Companion& companion, LoadContext& cont
     if (is_same_word(robot_name_in(content.text), *name)) found.push_back(path);
   }
   if (found.empty() && urdfs.size() == 1) found.push_back(urdfs.front());
-  if (!found.empty() || !urdfs.empty() || robot_names(xacros, context).size() != 1) return found;
+  if (!found.empty() || !urdfs.empty() || robot_names(xacros, context, 2).size() != 1) return found;
   for (const std::string& path : xacros) {
-    if (!robot_names({path}, context).empty()) found.push_back(path);
+    if (!robot_names({path}, context, 1).empty()) found.push_back(path);
   }
   return found;
 }
