@@ -76,7 +76,7 @@ class Result(FlattenTest):
         entities = "".join(f"- {{name: e{i}, file: r.smurf, anchor: world}}\n" for i in range(400))
         self.write("many.smurfs", "entities:\n" + entities)
         done = self.run_tool("many.smurfs", "--format", "mjcf", "--actuator", "position", "-o", "many.xml")
-        self.assertIn("joint pose sets without a keyframe (`sit`, `lean`) are not in the MJCF", done.stderr)
+        self.assertIn("2 joint pose sets of `r.smurf` are not in the MJCF: keyframes", done.stderr)
         self.assertEqual(len(xml.etree.ElementTree.parse(self.folder / "many.xml").findall("keyframe/key")), 1)
 
     def test_a_body_of_mjcf_has_at_most_six_joints(self):

@@ -180,6 +180,11 @@ Judged judge(const LinkedScene& scene, const SourceMap& sources, const RuleSelec
   return take(scene, sources, sink, expansions);
 }
 
+std::vector<Diagnostic> placed(const LinkedScene& scene, std::vector<Diagnostic> found) {
+  locate(scene, found);
+  return found;
+}
+
 std::vector<Diagnostic> settle_others(const LinkedModel& model, std::vector<Diagnostic> found,
                                       const SourceMap& sources, const RuleSelection& selection,
                                       const xacro::Expansions& expansions) {

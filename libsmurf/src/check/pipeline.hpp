@@ -32,6 +32,9 @@ Judged judge(const Accompanied& robot, const SourceMap& sources, const RuleSelec
 Judged judge(const LinkedScene& scene, const SourceMap& sources, const RuleSelection& selection,
              DiagnosticSink& sink, const xacro::Expansions& expansions);
 
+/// The same findings with their places, also of rules that are not selected.
+std::vector<Diagnostic> placed(const LinkedScene& scene, std::vector<Diagnostic> found);
+
 /// Locates findings of other code, and applies the selection.
 std::vector<Diagnostic> settle_others(const LinkedModel& model, std::vector<Diagnostic> found,
                                       const SourceMap& sources, const RuleSelection& selection,

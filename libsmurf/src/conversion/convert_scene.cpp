@@ -13,6 +13,7 @@
 #include "base/findings/rules.hpp"
 #include "base/text/edits.hpp"
 #include "check/in_time.hpp"
+#include "check/pipeline.hpp"
 #include "conversion/floor.hpp"
 #include "conversion/joint_controllers.hpp"
 #include "conversion/judged_models.hpp"
@@ -22,7 +23,6 @@
 #include "conversion/scene_assets.hpp"
 #include "link/imported_world.hpp"
 #include "smurf/conversion.hpp"
-#include "smurf/lint.hpp"
 #include "smurf/result_losses.hpp"
 
 namespace smurf {
@@ -48,8 +48,7 @@ std::string first_loss(const LoadedScene& loaded, bool force) {
     if (finding.severity != Severity::error) continue;
     if (!is_about_missing_part(finding)) errors.push_back(finding);  // the rest is known
   }
-  locate(loaded.scene, errors);
-  for (const Diagnostic& finding : errors) {
+  for (const Diagnostic& finding : placed(loaded.scene, std::move(errors))) {
     if (force && can_be_forced(finding)) continue;
     if (const auto loss = loss_in_scene(finding, loaded.scene, *loaded.sources)) return *loss;
   }

@@ -349,12 +349,6 @@ constexpr SceneThing kThings[] = {
                changed("MuJoCo stretches the red part of the image from the darkest pixel to the "
                        "brightest one"),
                kKept, kKept, kKept, kKept, kKept}},
-    {.title = kLostPoseSets,
-     .of = ThingOf::scene,
-     .cells = {kKept, kKept,
-               lost("a keyframe has the positions of all joints, which are too many here, or which "
-                    "MuJoCo counts itself"),
-               kKept, kKept, kKept, kKept, kKept}},
     {.title = kOddHeights,
      .of = ThingOf::scene,
      .cells = {kSquare, kSquare, kKept, kKept, kKept, kKept, kKept, kKept}},

@@ -69,7 +69,6 @@ inline constexpr std::string_view kBoundedGains = "gains of controllers";
 inline constexpr std::string_view kRefusedInertias = "inertias that simulators refuse";
 inline constexpr std::string_view kColorsOfMeshes = "colours of parts of mesh files";
 inline constexpr std::string_view kLostContacts = "collisions of contact sensors on several links";
-inline constexpr std::string_view kLostPoseSets = "joint pose sets without a keyframe";
 inline constexpr std::string_view kOddHeights = "heightmaps that are not square";
 inline constexpr std::string_view kUnsureHeights = "heightmaps in colour or out of reach";
 

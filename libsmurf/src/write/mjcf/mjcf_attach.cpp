@@ -39,7 +39,11 @@ class AttachWriter : MjcfParts {
     }
     xml_.close();
     add_welds();
-    has_keyframe_ ? add_keyframes() : lose_pose_sets();
+    if (has_keyframe_) {
+      add_keyframes();
+    } else {
+      lose_pose_sets("MuJoCo counts the positions of floating and planar joints itself");
+    }
     return finish();
   }
 

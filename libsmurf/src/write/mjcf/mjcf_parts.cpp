@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "base/files/path.hpp"
+#include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
+#include "base/text/counted.hpp"
 #include "base/text/quoted.hpp"
 #include "base/text/unique_names.hpp"
 #include "link/kinematics.hpp"
@@ -309,7 +311,7 @@ void MjcfParts::add_keyframes() {
   }
   if (!keys_.has_room_for(sets.size())) {
     sets.clear();
-    lose_pose_sets();
+    lose_pose_sets("keyframes, which have the positions of all joints, would be too long");
   }
   keys_.write(xml_, sets,
               [&](std::size_t i, const urdf::Joint& joint, const JointPositions& positions) {
@@ -317,16 +319,16 @@ void MjcfParts::add_keyframes() {
               });
 }
 
-void MjcfParts::lose_pose_sets() {
+void MjcfParts::lose_pose_sets(std::string_view why) {
   for (const LinkedModel& model : scene_.scene.models) {
-    for (const JointPoseSet& set : model.annotations.poses) {
-      if (set.name) losses_.note(kLostPoseSets, set.name.span, *set.name);
-    }
     const auto states = scene_.group_states.find(&model);
-    if (states == scene_.group_states.end()) continue;
-    for (const auto& [state, positions] : states->second) {
-      losses_.note(kLostPoseSets, {model.robot->document.source, 0, 0}, state);
-    }
+    const std::size_t sets = model.annotations.poses.size() +
+                             (states != scene_.group_states.end() ? states->second.size() : 0);
+    if (sets == 0 || !model.robot) continue;
+    scene_.losses.report(rules::sml8211_lost_part, {model.robot->document.source, 0, 0},
+                         counted(sets, "joint pose set") + " of " + quoted(model.path) +
+                             (sets == 1 ? " is" : " are") +
+                             " not in the MJCF: " + std::string(why));
   }
 }
 

@@ -63,7 +63,7 @@ class MjcfParts {
   /// The keyframes: the start, and the joint pose sets of the robots.
   void add_keyframes();
   /// Reports the pose sets as lost.
-  void lose_pose_sets();
+  void lose_pose_sets(std::string_view why);
   /// Losses of the world and of annotations, and the end.
   std::string finish();
 
