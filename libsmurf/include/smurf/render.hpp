@@ -98,8 +98,8 @@ std::string render_summary(const Summary& summary, const TextStyle& style);
 std::string render_targets(std::span<const TargetVerdict> targets, const SourceMap& sources,
                            const TextStyle& style);
 /// "33 robots: 30 are fine, 2 have warnings (a.urdf and b.urdf), 1 has errors (c.urdf)", and an
-/// empty line. A robot that could not be expanded is not checked, and not fine. Empty for fewer than
-/// two robots, and when all are fine.
+/// empty line. A robot that could not be expanded is not checked, and not fine. Empty for fewer
+/// than two robots, and when all are fine.
 std::string render_fleet(std::span<const RobotAnswers> robots);
 /// A table of robots and targets, the robots at which most targets fail first, and for each target
 /// the number of robots that it loads. Empty for fewer than two robots, and when each target loads
