@@ -11,9 +11,8 @@ import pathlib
 import subprocess
 import sys
 import tempfile
-from xml.etree import ElementTree
 
-from usd_stage import Robot, Stage, differences
+from usd_stage import Robot, Stage, differences, parsed
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "support"))
 import cases  # noqa: E402
@@ -63,7 +62,7 @@ def validate(tools, folder):
 def narrower_speeds(model):
     """[joint, degrees per second] of the speeds with which ros2_control commands joints, which narrow their limits."""
     speeds = []
-    for joint in ElementTree.parse(model).getroot().iterfind("ros2_control/joint"):
+    for joint in parsed(model).iterfind("ros2_control/joint"):
         for most in joint.iterfind("command_interface[@name='velocity']/param[@name='max']"):
             speeds.append((joint.get("name"), math.degrees(float(most.text))))
     return speeds

@@ -6,6 +6,7 @@ prims, and from the URDF.
 """
 import json
 import math
+import pathlib
 import re
 import xml.etree.ElementTree as ElementTree
 
@@ -15,7 +16,7 @@ PRIM = re.compile(r'(?:def (\w+)|(class)) "(\w+)"( \()?$')
 JOINTS = {"fixed": "PhysicsFixedJoint", "revolute": "PhysicsRevoluteJoint",
           "continuous": "PhysicsRevoluteJoint", "prismatic": "PhysicsPrismaticJoint",
           "planar": "PhysicsJoint", "floating": "PhysicsJoint"}
-LEAST = 1e-14  # of a moment of inertia
+LEAST = 1e-14  # of a moment of inertia and a mass
 
 
 class Stage:
@@ -102,9 +103,14 @@ def mass_of(link):
     return 0 if mass is None else float(mass.get("value", 0))
 
 
+def parsed(file):
+    """The root of a URDF; it may begin with blanks, which strict readers refuse."""
+    return ElementTree.fromstring(pathlib.Path(file).read_bytes().lstrip())
+
+
 class Robot:
     def __init__(self, file):
-        root = ElementTree.parse(file).getroot()
+        root = parsed(file)
         for element in root.iter():
             if isinstance(element.tag, str):
                 element.tag = element.tag.rpartition("}")[2]  # without its name space
@@ -293,7 +299,7 @@ def mass_problems(prim, stage, path, link, tolerance):
         return
     position, rotation = origin(inertial)
     moments = stage.numbers(path, "physics:diagonalInertia")
-    if abs(mass - mass_of(link)) > tolerance * mass:
+    if abs(mass - max(mass_of(link), LEAST)) > tolerance * mass:
         yield f"the mass is {mass}"
     if math.dist(stage.numbers(path, "physics:centerOfMass"), position) > tolerance:
         yield "the centre of mass is elsewhere"
