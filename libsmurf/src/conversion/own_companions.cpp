@@ -38,7 +38,9 @@ const Companions& OwnCompanions::of(const LinkedModel& model) {
 std::optional<Companion> OwnCompanions::named(const std::string& path, CompanionKind kind) {
   const FileContent content = context_.files.read(path, context_.limits.file_bytes);
   if (content.status != ReadStatus::ok) return std::nullopt;
-  const CompanionSpec* spec = find_companion_kind(path, content.text);
+  // An SRDF is recognised by the ending of its name, which a file that the user names may lack.
+  const CompanionSpec* spec =
+      kind == CompanionKind::srdf ? &spec_of(kind) : find_companion_kind(path, content.text);
   if (spec == nullptr || spec->kind != kind) return std::nullopt;
   auto companion = CompanionReader(context_).read(path, *spec);
   if (!companion || companion->is_broken) return std::nullopt;
