@@ -16,11 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const unsigned char* data, std::size_t siz
   DiagnosticSink sink;
   read_config(path, sources, files, sink);
   Exercise result;
-  for (const Diagnostic& diagnostic : sink.diagnostics()) {
-    if (diagnostic.span.end > sources.text(diagnostic.span.source).size()) {
-      result.broken.emplace_back("a span beyond the end of the file");
-    }
-  }
+  check_findings({sink.diagnostics().begin(), sink.diagnostics().end()}, sources, result);
   require_kept(result);
   return 0;
 }

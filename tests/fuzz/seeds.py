@@ -22,12 +22,10 @@ YAML = {".yml", ".yaml", ".smurf", ".smurfs", ".smurfa"}
 
 def main() -> None:
     fixtures, out = map(pathlib.Path, sys.argv[1:3])
-    for target in ("differential_yaml", "differential_urdf", "urdf", "model", "scene", "config", "fixes", "archives", "meshes", "xacro", "imports",
-                   "package", "schemas", "lsp"):
-        (out / target).mkdir(parents=True, exist_ok=True)
 
     def add(target: str, data: bytes) -> None:
         if len(data) <= LARGEST:
+            (out / target).mkdir(parents=True, exist_ok=True)
             (out / target / hashlib.sha1(data).hexdigest()[:16]).write_bytes(data)
 
     for data in streams():

@@ -12,7 +12,7 @@
 
 namespace {
 
-/// Deeper than any element that has no copy of itself inside.
+/// Ends the recursion in elements that may contain themselves; no other element is as deep.
 constexpr int kDeepest = 12;
 
 void print(const char* what, const std::string& path, const std::string& is_required,

@@ -14,23 +14,6 @@ namespace {
 
 constexpr std::size_t kRendered = 500;
 
-void check_spans(const std::vector<Diagnostic>& diagnostics, const SourceMap& sources,
-                 Exercise& result) {
-  for (const Diagnostic& diagnostic : diagnostics) {
-    const std::string id(diagnostic.rule->id);
-    if (diagnostic.span.end > sources.text(diagnostic.span.source).size()) {
-      result.broken.push_back(id + ": a span beyond the end of the file");
-    }
-    if (diagnostic.span.begin > diagnostic.span.end)
-      result.broken.push_back(id + ": a negative span");
-    if (diagnostic.message.empty()) result.broken.push_back(id + ": no message");
-    result.has_errors |= diagnostic.severity == Severity::error;
-    if (id.starts_with("SML00") && diagnostic.severity == Severity::error) {
-      result.unreadable.emplace(sources.path(diagnostic.span.source));
-    }
-  }
-}
-
 void render_all(const std::vector<Diagnostic>& diagnostics, const SourceMap& sources,
                 Exercise& result) {
   for (std::size_t i = 0; i < std::min(diagnostics.size(), kRendered); ++i) {
@@ -63,6 +46,23 @@ void write(const LinkedScene& scene, const SourceMap& sources) {
 
 }  // namespace
 
+void check_findings(const std::vector<Diagnostic>& diagnostics, const SourceMap& sources,
+                    Exercise& result) {
+  for (const Diagnostic& diagnostic : diagnostics) {
+    const std::string id(diagnostic.rule->id);
+    if (diagnostic.span.end > sources.text(diagnostic.span.source).size()) {
+      result.broken.push_back(id + ": a span beyond the end of the file");
+    }
+    if (diagnostic.span.begin > diagnostic.span.end)
+      result.broken.push_back(id + ": a negative span");
+    if (diagnostic.message.empty()) result.broken.push_back(id + ": no message");
+    result.has_errors |= diagnostic.severity == Severity::error;
+    if (id.starts_with("SML00") && diagnostic.severity == Severity::error) {
+      result.unreadable.emplace(sources.path(diagnostic.span.source));
+    }
+  }
+}
+
 Exercise exercise(const FileReader& files, const std::string& path,
                   const ExerciseOptions& options) {
   Exercise result;
@@ -76,7 +76,7 @@ Exercise exercise(const FileReader& files, const std::string& path,
     locate(loaded, diagnostics);
     place_in_xacro(*context.expansions, sources, diagnostics);
     diagnostics = apply_selection(std::move(diagnostics), sources, {});
-    check_spans(diagnostics, sources, result);
+    check_findings(diagnostics, sources, result);
   };
   if (path.ends_with(".smurfs")) {
     const LinkedScene scene = load_scene(path, context);

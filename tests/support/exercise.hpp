@@ -8,6 +8,7 @@
 
 #include "smurf/diagnostic.hpp"
 #include "smurf/file_reader.hpp"
+#include "smurf/source.hpp"
 
 namespace smurf::test {
 
@@ -24,6 +25,10 @@ struct ExerciseOptions {
   bool converts = false;  ///< export and flatten accepted files; urdfdom checks the result
   bool fixes = false;     ///< apply every fix
 };
+
+/// Every finding must lie in its file and have a message.
+void check_findings(const std::vector<Diagnostic>& findings, const SourceMap& sources,
+                    Exercise& result);
 
 Exercise exercise(const FileReader& files, const std::string& path,
                   const ExerciseOptions& options = {});

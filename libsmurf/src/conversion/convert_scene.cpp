@@ -48,6 +48,7 @@ std::string first_loss(const LoadedScene& loaded, bool force) {
     if (finding.severity != Severity::error) continue;
     if (!is_about_missing_part(finding)) errors.push_back(finding);  // the rest is known
   }
+  if (errors.empty()) return {};
   for (const Diagnostic& finding : placed(loaded.scene, std::move(errors))) {
     if (force && can_be_forced(finding)) continue;
     if (const auto loss = loss_in_scene(finding, loaded.scene, *loaded.sources)) return *loss;
@@ -235,7 +236,8 @@ SceneCheck convert_checked(Session& session, LoadedScene& loaded, bool force,
     });
   }
   const std::string loss = late.empty() ? first_loss(loaded, force) : late;
-  const bool is_forcible = late.empty() && first_loss(loaded, true).empty();
+  const bool is_forcible =
+      !loss.empty() && late.empty() && !force && first_loss(loaded, true).empty();
   SceneCheck check{session.check(loaded), {}};
   if (losses != nullptr) {
     const auto& found = loaded.found.diagnostics();

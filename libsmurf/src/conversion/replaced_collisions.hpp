@@ -25,7 +25,8 @@ struct CollisionOutput {
   bool has_capsules = true;  ///< false: only as far as the version of a URDF has them
 };
 
-/// Replaces the robots of loaded models, and the findings about them, until restore() is called.
+/// Gives loaded models robots with other collision shapes, and their findings, until restore() is
+/// called.
 class ReplacedCollisions {
  public:
   /// All of it must outlive this object.

@@ -65,8 +65,8 @@ class Reporter {
 
   /// The reader of the language refuses the model for this.
   Diagnostic& refuse(Span place, std::string message, std::string help);
-  /// The same of a name that nothing has. It may be that of something in a file that is not there:
-  /// then that file is the cause, and nothing is said of the name.
+  /// The same for a name that nothing has. If an included file is missing, the name may be defined
+  /// in it; then only the missing file is reported.
   Diagnostic& refuse_name(Span place, std::string message, std::string help);
   /// From now on, an included file is known to be missing.
   void lack_file() { lacks_file_ = true; }

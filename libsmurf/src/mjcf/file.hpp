@@ -130,7 +130,7 @@ class Settings {
   std::size_t numbers(std::string_view name, std::span<double> values, std::size_t least,
                       Reporter& reporter) const;
   double number(std::string_view name, double usual, Reporter& reporter) const;
-  /// What is no integer, which the schema reports, is the usual value.
+  /// `usual` also stands for a value that is not an integer; the check of the schema reports it.
   std::int32_t integer(std::string_view name, std::int32_t usual, Reporter& reporter) const;
   /// The value of an attribute, or the tag if it is not set.
   Place place(std::initializer_list<std::string_view> names) const;

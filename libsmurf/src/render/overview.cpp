@@ -254,8 +254,8 @@ class Overview {
     std::vector<Kind> kinds;
     // Notes may say what is special about a finding, such as the variant of its robot. With a
     // remedy of another form, a finding is another one; what else it writes is named with the
-    // finding. Advice without a fix is a guess, and guesses about one fault would exclude each
-    // other: that of the first is shown.
+    // finding. Help without a fix is only a guess; guesses about one fault could contradict each
+    // other, so only the first is shown.
     using Key = std::tuple<const Rule*, std::string, std::string, std::vector<std::string>>;
     std::map<Key, std::size_t> index;
     for (const Diagnostic* one : section.findings) {

@@ -29,7 +29,7 @@ struct Fault {
   std::string help;
 };
 
-/// "at least 0", "from 0 to 1".
+/// A range in words, such as "at least 0" or "from 0 to 1".
 std::string shown_range(std::string_view range) {
   const std::size_t comma = range.find(',');
   const std::string least(range.substr(0, comma)), most(range.substr(comma + 1));

@@ -285,8 +285,8 @@ class MjcfWriter : MjcfLoops {
     }
     if (part.X_BJ.position != Vector3{})
       attributes.emplace_back("pos", join_numbers(part.X_BJ.position));
-    if (const double armature = armature_of(model, joint, gains); armature > 0)
-      attributes.emplace_back("armature", format_number(armature));
+    const double armature = gains.armature > 0 ? gains.armature : armature_of(model, joint);
+    if (armature > 0) attributes.emplace_back("armature", format_number(armature));
     xml_.empty("joint", attributes);
     keys_.add_position(i, joint, start_of(i, joint));
     if (joint.mimic) add_follower(i, model, joint);

@@ -72,7 +72,7 @@ class PythonLaunch {
     note_paths(call);
   }
 
-  /// Relative paths that the builder gets are in the package of the configuration.
+  /// The builder looks for relative paths in the package of the MoveIt configuration.
   /// Source: moveit_configs_utils moveit_configs_builder.py, branches humble to rolling.
   void begin_builder(const Value& call) {
     builder_ = {};

@@ -25,7 +25,8 @@ Paths below(const Paths& paths, std::string_view key) {
   return rest;
 }
 
-/// The only name that continues the key, as `has_jerk_limits` does `has_jerk`; else a similar one.
+/// The known name that begins with the key, if there is only one, such as `has_jerk_limits` for
+/// `has_jerk`; otherwise a similar name.
 std::optional<std::string_view> meant_by(std::string_view key, const Paths& names) {
   std::optional<std::string_view> longer;
   for (const std::string_view one : names) {

@@ -14,6 +14,7 @@
 #include "link/link_overlaps.hpp"
 #include "write/parts/body_inertia.hpp"
 #include "write/parts/height_range.hpp"
+#include "write/parts/joint_drives.hpp"
 
 namespace smurf {
 namespace {
@@ -157,6 +158,13 @@ const JointSpring* MjcfParts::spring_of(const LinkedModel& model, const urdf::Jo
   return found != known->second.end() ? &found->second : nullptr;
 }
 
+double MjcfParts::armature_of(const LinkedModel& model, const urdf::Joint& joint) {
+  auto known = armatures_.find(&model);
+  if (known == armatures_.end()) known = armatures_.emplace(&model, armatures_of(model)).first;
+  const auto found = known->second.find(joint.name.value_or(""));
+  return found != known->second.end() ? found->second : 0;
+}
+
 /// Meshes of old scenes.
 void MjcfParts::add_meshes_of_entities() {
   for (std::size_t i = 0; i < count(); ++i) {
@@ -294,23 +302,21 @@ JointPositions MjcfParts::held(const LinkedModel& model, JointPositions given) c
   return given;
 }
 
+std::size_t MjcfParts::pose_sets_of(const LinkedModel& model) const {
+  const auto states = scene_.group_states.find(&model);
+  return model.annotations.poses.size() +
+         (states != scene_.group_states.end() ? states->second.size() : 0);
+}
+
 void MjcfParts::add_keyframes() {
-  std::vector<MjcfKeys::Posed> sets;
+  std::size_t most = 0;
   for (std::size_t i = 0; i < count(); ++i) {
-    const LinkedModel* model = robot_of(i);
-    if (model == nullptr || !flat(i).X_WE) continue;
-    for (const JointPoseSet& set : model->annotations.poses) {
-      if (!set.name) continue;
-      sets.push_back({i, name(i, *set.name), held(*model, to_joint_positions(*model, set))});
-    }
-    const auto states = scene_.group_states.find(model);
-    if (states == scene_.group_states.end()) continue;
-    for (const auto& [state, positions] : states->second) {
-      sets.push_back({i, name(i, state), held(*model, positions)});
-    }
+    if (robot_of(i) != nullptr && flat(i).X_WE) most += pose_sets_of(*robot_of(i));
   }
-  if (!keys_.has_room_for(sets.size())) {
-    sets.clear();
+  std::vector<MjcfKeys::Posed> sets;
+  if (keys_.has_room_for(most)) {
+    for (std::size_t i = 0; i < count(); ++i) append_pose_sets(i, sets);
+  } else {
     lose_pose_sets("keyframes, which have the positions of all joints, would be too long");
   }
   keys_.write(xml_, sets,
@@ -319,11 +325,23 @@ void MjcfParts::add_keyframes() {
               });
 }
 
+void MjcfParts::append_pose_sets(std::size_t i, std::vector<MjcfKeys::Posed>& sets) const {
+  const LinkedModel* model = robot_of(i);
+  if (model == nullptr || !flat(i).X_WE) return;
+  for (const JointPoseSet& set : model->annotations.poses) {
+    if (!set.name) continue;
+    sets.push_back({i, name(i, *set.name), held(*model, to_joint_positions(*model, set))});
+  }
+  const auto states = scene_.group_states.find(model);
+  if (states == scene_.group_states.end()) return;
+  for (const auto& [state, positions] : states->second) {
+    sets.push_back({i, name(i, state), held(*model, positions)});
+  }
+}
+
 void MjcfParts::lose_pose_sets(std::string_view why) {
   for (const LinkedModel& model : scene_.scene.models) {
-    const auto states = scene_.group_states.find(&model);
-    const std::size_t sets = model.annotations.poses.size() +
-                             (states != scene_.group_states.end() ? states->second.size() : 0);
+    const std::size_t sets = pose_sets_of(model);
     if (sets == 0 || !model.robot) continue;
     scene_.losses.report(rules::sml8211_lost_part, {model.robot->document.source, 0, 0},
                          counted(sets, "joint pose set") + " of " + quoted(model.path) +

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/text/unique_names.hpp"
 #include "write/losses/scene_losses.hpp"
@@ -57,6 +58,8 @@ class MjcfParts {
   void add_free_joint(const std::string& name, const Pose& X_WB);
   /// The spring that `<gazebo>` gives a joint; null if there is none.
   const JointSpring* spring_of(const LinkedModel& model, const urdf::Joint& joint);
+  /// The armature that annotations give a joint; kg m^2 or kg, 0 without one.
+  double armature_of(const LinkedModel& model, const urdf::Joint& joint);
   /// The start position of a joint. With automatic motors, which would have to hold it, a joint
   /// whose zero is out of its limits starts at the nearest one, unless the scene says where.
   double start_of(std::size_t instance, const urdf::Joint& joint);
@@ -79,8 +82,12 @@ class MjcfParts {
   void add_class(const std::string& name, const std::vector<XmlText::Attribute>& geom);
   bool has_bitmasks_ = false;
   std::map<const LinkedModel*, std::map<std::string_view, JointSpring>> springs_;
+  std::map<const LinkedModel*, std::map<std::string_view, double>> armatures_;
   std::map<std::pair<const LinkedModel*, JointPoseIndex>, JointPositions> starts_;
 
+  /// How many joint pose sets and group states a robot has.
+  std::size_t pose_sets_of(const LinkedModel& model) const;
+  void append_pose_sets(std::size_t i, std::vector<MjcfKeys::Posed>& sets) const;
   /// The positions that joints get, of which a few are given.
   JointPositions held(const LinkedModel& model, JointPositions given) const;
 

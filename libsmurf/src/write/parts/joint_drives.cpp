@@ -276,13 +276,12 @@ std::vector<JointDrive> joint_drives(const LinkedModel& model, const MotorOption
   return model.robot ? DriveReader(model, options).read() : std::vector<JointDrive>();
 }
 
-double armature_of(const LinkedModel& model, const urdf::Joint& joint, const DriveGains& gains) {
-  if (gains.armature > 0) return gains.armature;
+std::map<std::string_view, double> armatures_of(const LinkedModel& model) {
+  std::map<std::string_view, double> armatures;
   for (const JointAnnotation& one : model.annotations.joints) {
-    if (joint.name && one.name && *one.name == *joint.name)
-      return stated(model, one, "armature").value_or(0);
+    if (one.name) armatures.emplace(*one.name, stated(model, one, "armature").value_or(0));
   }
-  return 0;
+  return armatures;
 }
 
 DriveGains gains_of(const JointDrive& drive) {

@@ -53,12 +53,13 @@ struct DriveGains {
 /// How strongly a motor resists a wrong speed. MARS's motors reach their speed within a step; these
 /// use their full effort at a difference of a tenth of the largest speed.
 DriveGains gains_of(const JointDrive& drive);
-/// The armature of a motor, or else the one that annotations give its joint; 0 without one, kg m^2
-/// or kg.
-double armature_of(const LinkedModel& model, const urdf::Joint& joint, const DriveGains& gains);
 /// The same, stable in steps of this length and of twice it, in a simulator that integrates the
 /// damping of joints implicitly, and the force of a motor explicitly while it is at its limit.
 DriveGains gains_of(const JointDrive& drive, const JointInertia& inertia, double step);
+
+/// By joint: the armatures that joints have in annotations, without those of motors; kg m^2 or kg.
+/// The first entry of a joint counts.
+std::map<std::string_view, double> armatures_of(const LinkedModel& model);
 
 /// A motor that makes its joint follow another joint.
 struct DrivenFollower {
