@@ -5,8 +5,9 @@ else of a robot changes.
 Called with both tools: collision_shapes_test.py SMURFS_FLATTEN SMURF2URDF.
 
 The meshes are brackets: a block of 3 x 2 x 1 with a slot of 1 x 1 x 1, so that the volumes of the hull, of the box and of the
-parts are known. In place of CoACD, a module of its name divides them.
+parts are known. In place of CoACD and meshoptimizer, modules of their names do their work.
 """
+import itertools
 import json
 import math
 import pathlib
@@ -22,7 +23,7 @@ import cli
 TO_URDF = None
 RING = [(0, 0), (3, 0), (3, 2), (2, 2), (2, 1), (1, 1), (1, 2), (0, 2)]
 VOLUME, BOX = 5, 6
-SHAPES = ("hull", "boxes", "capsules", "parts")
+SHAPES = ("hull", "boxes", "capsules", "parts", "lighter")
 INSIDE = 1e-6
 COACD = '''
 import os, signal
@@ -45,6 +46,37 @@ def run_coacd(mesh, threshold, max_convex_hull, seed, preprocess_mode):
         return [[ends[x][0], ends[y][1], ends[z][2]] for x in (0, 1) for y in (0, 1) for z in (0, 1)], None
     third = 1 / 3
     return [block((0, 0, 0), (third, 1, 1)), block((third, 0, 0), (2 * third, 0.5, 1)), block((2 * third, 0, 0), (1, 1, 1))]
+'''
+
+#: As much of NumPy as the script uses.
+NUMPY = '''
+float32, uint32 = float, int
+class Array(list):
+    def reshape(self, _): return Array(x for row in self for x in row)
+    def copy(self): return Array(self)
+    def tolist(self): return list(self)
+    def __getitem__(self, key):
+        found = list.__getitem__(self, key)
+        return Array(found) if isinstance(key, slice) else found
+def zeros(count, dtype): return Array([0] * count)
+def ascontiguousarray(rows, dtype): return Array(rows)
+'''
+#: A bracket becomes the box around it.
+MESHOPTIMIZER = '''
+import os
+def simplify(result, indices, places, target_index_count, target_error):
+    assert target_index_count == 0 and target_error == 0.001, (target_index_count, target_error)
+    mode = os.environ.get("FAKE_MESHOPTIMIZER", "")
+    if mode == "fails": raise RuntimeError("no")
+    if mode == "mumbles": os._exit(0)
+    found = list(indices)
+    if mode != "spares":
+        ends = [sorted({p[i] for p in places}) for i in range(3)]
+        corner = lambda i: [list(p) for p in places].index([ends[k][-1 if i >> k & 1 else 0] for k in range(3)])
+        faces = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+        found = [corner(i) for a, b, c, d in faces for i in (a, b, c, a, c, d)]
+    result[:len(found)] = found
+    return len(found)
 '''
 
 
@@ -170,7 +202,8 @@ class CollisionShapesTest(cli.CliTest):
         self.write("meshes/bracket.obj", obj_of(points, faces))
         self.write("meshes/sheet.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n")
         self.write("bot.urdf", URDF)
-        self.write("modules/coacd.py", COACD)
+        for module, text in {"coacd": COACD, "numpy": NUMPY, "meshoptimizer": MESHOPTIMIZER}.items():
+            self.write(f"modules/{module}.py", text)
         self.environment = {"PYTHONPATH": str(self.folder / "modules")}
         self.flatten, self.to_urdf = cli.TOOL, TO_URDF
         self.addCleanup(setattr, cli, "TOOL", cli.TOOL)
@@ -208,7 +241,7 @@ class CollisionShapesTest(cli.CliTest):
                 before = self.links("bot.urdf")
                 for (link, number), scale in MESHES.items():
                     frame = Frame(before[link].findall("collision")[number])
-                    made = {"hull": 1, "boxes": 1, "parts": 3, "capsules": 3}[shapes]  # URDF 1.0 has no capsules
+                    made = {"hull": 1, "boxes": 1, "parts": 3, "capsules": 3, "lighter": 1}[shapes]  # URDF 1.0 has no capsules
                     collisions = self.shapes_for(links, link, number, made)
                     for point in points:
                         in_link = frame.out([x * s for x, s in zip(point, scale)])
@@ -257,6 +290,7 @@ class CollisionShapesTest(cli.CliTest):
     def test_volumes_are_told(self):
         for shapes, words in {"hull": "the convex hull; 16 vertices become 8, volume +20 %",
                               "boxes": "a box around 16 vertices, volume +20 %",
+                              "lighter": "a lighter mesh; 16 vertices become 8, volume +20 %",
                               "parts": "3 convex parts; 16 vertices become 24, volume +0 %"}.items():
             for tool in (self.to_urdf, self.flatten):
                 done = self.convert(tool, "--collision", shapes, "-o", "out.urdf", "--report", "json=report.json")
@@ -332,7 +366,7 @@ class CollisionShapesTest(cli.CliTest):
         done = self.convert(self.to_urdf, "--collision", "thumb_*=hull", "-o", "no.urdf", code=1)
         self.assertIn("has no link that fits `thumb_*` of --collision", done.stderr)
         done = self.convert(self.flatten, "--collision", "box", "-o", "no.sdf", code=2)
-        self.assertIn("'box' is not one of keep, hull, boxes, capsules, parts", done.stderr)
+        self.assertIn("'box' is not one of keep, hull, boxes, capsules, parts, lighter", done.stderr)
 
     def test_a_flat_mesh_is_kept_and_named(self):
         done = self.convert(self.flatten, "--collision", "hull", "-o", "out.sdf")
@@ -340,16 +374,16 @@ class CollisionShapesTest(cli.CliTest):
                       "all its points lie in one plane", re.sub(r"\s+", " ", done.stderr))
         self.convert(self.flatten, "--collision", "hull", "-o", "no.sdf", "--fail-on-loss", code=1)
 
-    def test_without_coacd_nothing_is_written(self):
+    def test_without_the_module_nothing_is_written(self):
         self.environment = {"PYTHONPATH": str(self.folder / "nowhere")}
         self.write("bin/python3", "#!/bin/sh\nexit 3\n")
         (self.folder / "bin/python3").chmod(0o755)
         before = self.written()
-        for tool in (self.to_urdf, self.flatten):
-            done = self.convert(tool, "--collision", "parts", "-o", "out.urdf", code=1, PATH=str(self.folder / "bin") + ":/bin:/usr/bin")
-            self.assertIn("has no module `coacd`", done.stderr)
-            self.assertIn("python3 -m pip install coacd", done.stderr)
-            done = self.convert(tool, "--collision", "parts", "-o", "out.urdf", code=1, PATH=str(self.folder / "modules"))
+        for tool, (shapes, module) in itertools.product((self.to_urdf, self.flatten), {"parts": "coacd", "lighter": "meshoptimizer"}.items()):
+            done = self.convert(tool, "--collision", shapes, "-o", "out.urdf", code=1, PATH=str(self.folder / "bin") + ":/bin:/usr/bin")
+            self.assertIn(f"has no module `{module}`", done.stderr)
+            self.assertIn(f"python3 -m pip install {module}", done.stderr)
+            done = self.convert(tool, "--collision", shapes, "-o", "out.urdf", code=1, PATH=str(self.folder / "modules"))
             self.assertIn("there is no python3 on the PATH", done.stderr)
         self.assertEqual(self.written(), before)
 
@@ -367,6 +401,14 @@ class CollisionShapesTest(cli.CliTest):
         for mode, reason in {"fails": "CoACD failed", "crashes": "CoACD was ended by signal 11", "mumbles": "CoACD failed"}.items():
             done = self.convert(self.to_urdf, "--collision", "parts", "-o", "out.urdf", FAKE_COACD=mode)
             self.assertIn(reason, done.stderr)
+            self.assertEqual(self.links("out.urdf")["base"].find("collision/geometry/mesh").get("filename"), "meshes/bracket.stl")
+            self.assertFalse((self.folder / "out_collisions").exists())
+
+    def test_meshes_that_cannot_be_lighter_are_kept_and_named(self):
+        for mode, reason in {"fails": "meshoptimizer failed", "mumbles": "meshoptimizer failed",
+                             "spares": "meshoptimizer finds no triangle to spare"}.items():
+            done = self.convert(self.to_urdf, "--collision", "lighter", "-o", "out.urdf", FAKE_MESHOPTIMIZER=mode)
+            self.assertIn(reason, re.sub(r"\s+", " ", done.stderr))
             self.assertEqual(self.links("out.urdf")["base"].find("collision/geometry/mesh").get("filename"), "meshes/bracket.stl")
             self.assertFalse((self.folder / "out_collisions").exists())
 

@@ -61,7 +61,8 @@ enum class CollisionShapes : std::uint8_t {
   hull,      ///< its convex hull, as a mesh
   boxes,     ///< a box around it
   capsules,  ///< a capsule or a ball around it
-  parts      ///< several convex meshes that fill about the same space
+  parts,     ///< several convex meshes that fill about the same space
+  lighter    ///< about the same surface with fewer triangles
 };
 /// The shapes for some links.
 struct CollisionChoice {
@@ -84,11 +85,31 @@ struct ConvexParts {
   bool is_for_no_mesh = false;  ///< the reason is not the mesh: there is no CoACD here
 };
 
+/// A mesh that is to have fewer triangles.
+struct HeavyMesh {
+  std::vector<Vector3> points;         ///< m; no two are equal
+  std::vector<std::uint32_t> indices;  ///< three per triangle
+  /// With this many triangles, the surface moves no further than `near`; it may move as far as
+  /// `far` to have no more of them. Both are parts of the longest edge of the box around the mesh.
+  std::size_t triangles = 0;
+  double near = 0;
+  double far = 0;
+};
+/// The same surface, or about that, with fewer triangles.
+struct LighterMesh {
+  std::vector<Vector3> points;
+  std::vector<std::uint32_t> indices;
+  std::string problem;          ///< the reason if there is none
+  bool is_for_no_mesh = false;  ///< the reason is not the mesh: there is no meshoptimizer here
+};
+
 /// Other shapes for the collision meshes of robots.
 struct CollisionRequest {
   std::vector<CollisionChoice> choices = {};  ///< the last one that fits a link counts
   /// Divides a mesh into convex parts; null: this program cannot.
   std::function<ConvexParts(const DividedMesh& mesh)> divide = {};
+  /// Takes triangles away from a mesh; null: this program cannot.
+  std::function<LighterMesh(const HeavyMesh& mesh)> lighten = {};
   /// Called before work that may take minutes, with a sentence about it; may be null.
   std::function<void(const std::string& sentence)> tell = {};
   /// The folder for new meshes, relative to the output folder; "": they cannot be written.

@@ -18,23 +18,37 @@ namespace smurf {
 namespace {
 
 constexpr std::size_t kMostParts = 32;
-/// Parts that gain or lose more than this part of the volume are tried again, finer.
+/// Parts and lighter meshes that gain or lose more than this part of the volume are tried again,
+/// finer.
 constexpr double kEnough = 0.05;
 /// Of CoACD, the coarsest first; 0.05 is its default.
 constexpr double kConcavities[] = {0.05, 0.02, 0.01};
 /// A finer division that is not better by this factor is not followed by a still finer one.
 constexpr double kBetter = 0.8;
 
-std::string obj_of(const ConvexMesh& mesh) {
+/// As fine as half of all public collision meshes (docs/rules/sml16.md, mesh-triangles).
+constexpr std::size_t kFewTriangles = 1000;
+/// How far a lighter mesh may be from its original, as a part of its size.
+constexpr double kNear = 0.001;
+constexpr double kFar[] = {0.01, 0.003, 0.001};
+
+CollisionBody body_of(const ConvexMesh& hull) {
+  CollisionBody body{hull.points, {}};
+  for (const auto& triangle : hull.triangles)
+    body.indices.insert(body.indices.end(), triangle.begin(), triangle.end());
+  return body;
+}
+
+std::string obj_of(const CollisionBody& body) {
   std::string text;
-  for (const Vector3& point : mesh.points) {
+  for (const Vector3& point : body.points) {
     text += 'v';
     for (const double x : point) text += ' ' + shortest(static_cast<float>(x));
     text += '\n';
   }
-  for (const auto& triangle : mesh.triangles) {
+  for (std::size_t i = 0; i + 2 < body.indices.size(); i += 3) {
     text += 'f';
-    for (const std::uint32_t corner : triangle) text += ' ' + std::to_string(corner + 1);
+    for (std::size_t k = 0; k < 3; ++k) text += ' ' + std::to_string(body.indices[i + k] + 1);
     text += '\n';
   }
   return text;
@@ -71,6 +85,7 @@ std::string_view name_of(CollisionShapes shapes) {
   case CollisionShapes::hull: return "the convex hull";
   case CollisionShapes::boxes: return "a box";
   case CollisionShapes::capsules: return "a capsule";
+  case CollisionShapes::lighter: return "a lighter mesh";
   default: return "convex parts";
   }
 }
@@ -100,6 +115,8 @@ std::string describe(const ReplacedCollision& replaced) {
   } else {
     text += " around " + before;
   }
+  // An open surface encloses nothing, before and after.
+  if (!replaced.gain && replaced.shapes == CollisionShapes::lighter) return text;
   return text + (replaced.gain ? ", volume " + percent(*replaced.gain)
                                : ", volume " + format_rounded(replaced.volume * 1000, 3) +
                                      " l, where that of the open mesh is not known");
@@ -115,13 +132,34 @@ std::string CollisionShaper::new_file(const MeshReference& mesh, const std::stri
   return path::join(request_.folder, name);
 }
 
-void CollisionShaper::add_mesh(const MeshReference& mesh, const ConvexMesh& hull,
+void CollisionShaper::add_mesh(const MeshReference& mesh, const CollisionBody& body,
                                const std::string& ending, const std::string& name_ending,
                                NewShapes& made) {
   const std::string file = new_file(mesh, ending);
-  made.files.push_back({file, obj_of(hull)});
+  made.files.push_back({file, obj_of(body)});
   made.shapes.push_back({file, "", {}, false, name_ending});
-  made.about.vertices_after += hull.points.size();
+  made.about.vertices_after += body.points.size();
+}
+
+void CollisionShaper::add_lighter(const MeshReference& mesh, const CollisionBody& body,
+                                  std::optional<double> volume, NewShapes& made) {
+  CollisionBody after;
+  for (const double far : kFar) {
+    LighterMesh lighter = request_.lighten({body.points, body.indices, kFewTriangles, kNear, far});
+    if (!lighter.problem.empty()) {
+      (lighter.is_for_no_mesh ? problem_ : made.about.kept) = lighter.problem;
+      return;
+    }
+    after = {std::move(lighter.points), std::move(lighter.indices)};
+    // A coarse surface takes much from thin walls.
+    if (!volume || std::fabs(volume_of(after) / *volume - 1) <= kEnough) break;
+  }
+  if (after.indices.empty() || after.indices.size() >= body.indices.size()) {
+    made.about.kept = "meshoptimizer finds no triangle to spare";
+    return;
+  }
+  add_mesh(mesh, after, "_lighter", "", made);
+  if (volume) made.about.volume = volume_of(after);
 }
 
 std::vector<ConvexMesh> CollisionShaper::parts_of(const CollisionBody& body, const ConvexMesh& hull,
@@ -212,14 +250,15 @@ NewShapes CollisionShaper::make(const MeshReference& mesh, const Vector3& scale,
   case CollisionShapes::boxes: add_box(*hull, made); break;
   case CollisionShapes::capsules: add_capsule(*hull, has_capsules, made); break;
   case CollisionShapes::hull:
-    add_mesh(mesh, *hull, "_hull", "", made);
+    add_mesh(mesh, body_of(*hull), "_hull", "", made);
     made.about.volume = hull->volume;
     break;
+  case CollisionShapes::lighter: add_lighter(mesh, body, volume, made); break;
   default: {
     const std::vector<ConvexMesh> parts = parts_of(body, *hull, volume, made.about.kept);
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::string ending = "_part_" + std::to_string(i + 1);
-      add_mesh(mesh, parts[i], ending, i == 0 ? "" : ending, made);
+      add_mesh(mesh, body_of(parts[i]), ending, i == 0 ? "" : ending, made);
     }
     made.about.parts = parts.size();
     made.about.volume = volume_of_union(parts);

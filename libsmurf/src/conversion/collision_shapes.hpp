@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The shapes that replace a collision mesh: its hull, convex parts, a box or a capsule.
+// The shapes that replace a collision mesh: its hull, convex parts, a box, a capsule or a lighter
+// mesh.
 #pragma once
 
 #include <cstdint>
@@ -48,8 +49,10 @@ class CollisionShaper {
 
  private:
   std::string new_file(const MeshReference& mesh, const std::string& ending);
-  void add_mesh(const MeshReference& mesh, const ConvexMesh& hull, const std::string& ending,
+  void add_mesh(const MeshReference& mesh, const CollisionBody& body, const std::string& ending,
                 const std::string& name_ending, NewShapes& made);
+  void add_lighter(const MeshReference& mesh, const CollisionBody& body,
+                   std::optional<double> volume, NewShapes& made);
   /// The convex parts of a mesh with this hull; empty, with the reason in `kept`, if there are
   /// none.
   std::vector<ConvexMesh> parts_of(const CollisionBody& body, const ConvexMesh& hull,

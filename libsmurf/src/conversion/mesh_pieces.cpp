@@ -51,16 +51,6 @@ bool is_closed(const CollisionBody& body) {
   return true;
 }
 
-double volume_of_body(const CollisionBody& body) {
-  double volume = 0;
-  const auto at = [&](std::size_t i) {
-    return difference(body.points[body.indices[i]], body.points.front());
-  };
-  for (std::size_t i = 0; i + 2 < body.indices.size(); i += 3)
-    volume += dot(at(i), cross(at(i + 1), at(i + 2))) / 6;
-  return volume;
-}
-
 }  // namespace
 
 CollisionBody body_of(const MeshTriangles& mesh, const Vector3& scale) {
@@ -84,6 +74,16 @@ CollisionBody body_of(const MeshTriangles& mesh, const Vector3& scale) {
   return body;
 }
 
+double volume_of(const CollisionBody& body) {
+  double volume = 0;
+  const auto at = [&](std::size_t i) {
+    return difference(body.points[body.indices[i]], body.points.front());
+  };
+  for (std::size_t i = 0; i + 2 < body.indices.size(); i += 3)
+    volume += dot(at(i), cross(at(i + 1), at(i + 2))) / 6;
+  return volume;
+}
+
 std::vector<BodyPiece> closed_pieces(const CollisionBody& body) {
   ConnectedPoints connected(body);
   std::map<std::uint32_t, std::size_t> numbers;  // of pieces, by root
@@ -101,7 +101,7 @@ std::vector<BodyPiece> closed_pieces(const CollisionBody& body) {
     piece.indices.push_back(places[point]);
   }
   for (BodyPiece& piece : pieces) {
-    piece.volume = volume_of_body(piece.body);
+    piece.volume = volume_of(piece.body);
     if (!(piece.volume > 0) || !is_closed(piece.body)) return {};
   }
   return pieces;

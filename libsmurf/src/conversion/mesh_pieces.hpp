@@ -18,6 +18,9 @@ struct CollisionBody {
 
 CollisionBody body_of(const MeshTriangles& mesh, const Vector3& scale);
 
+/// What a closed body encloses, in m^3; negative if it is inside out.
+double volume_of(const CollisionBody& body);
+
 /// A part of a body that no edge connects to the others.
 struct BodyPiece {
   CollisionBody body;

@@ -162,7 +162,13 @@ Refusal ReplacedCollisions::make_shapes() {
     return {"cannot be converted: this program cannot divide meshes into convex parts; use "
             "smurfs-flatten or smurf2urdf, or --collision hull",
             Refusal::Cause::options};
-  if (output_.names_meshes && request_.folder.empty() && divided + needs(CollisionShapes::hull) > 0)
+  const std::size_t lighter = needs(CollisionShapes::lighter);
+  if (lighter > 0 && !request_.lighten)
+    return {"cannot be converted: this program cannot make meshes lighter; use smurfs-flatten or "
+            "smurf2urdf, or --collision hull",
+            Refusal::Cause::options};
+  if (output_.names_meshes && request_.folder.empty() &&
+      divided + lighter + needs(CollisionShapes::hull) > 0)
     return {"cannot be converted: the new meshes of --collision lie beside the result; name it "
             "with -o FILE",
             Refusal::Cause::options};

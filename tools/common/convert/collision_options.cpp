@@ -8,17 +8,15 @@
 #include "base/files/path.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/text/counted.hpp"
-#include "common/convert/convex_parts.hpp"
+#include "common/convert/python_meshes.hpp"
 
 namespace smurf::tools {
 namespace {
 
 constexpr std::pair<std::string_view, CollisionShapes> kShapes[] = {
-    {"keep", CollisionShapes::keep},
-    {"hull", CollisionShapes::hull},
-    {"boxes", CollisionShapes::boxes},
-    {"capsules", CollisionShapes::capsules},
-    {"parts", CollisionShapes::parts}};
+    {"keep", CollisionShapes::keep},   {"hull", CollisionShapes::hull},
+    {"boxes", CollisionShapes::boxes}, {"capsules", CollisionShapes::capsules},
+    {"parts", CollisionShapes::parts}, {"lighter", CollisionShapes::lighter}};
 
 /// "hull", or "finger_*=parts" for some links.
 Setter append_choice(std::vector<CollisionChoice>& choices) {
@@ -40,15 +38,17 @@ Setter append_choice(std::vector<CollisionChoice>& choices) {
 }  // namespace
 
 Option collision_option(CollisionRequest& request) {
-  return {.name = "collision",
-          .metavar = "[LINKS=]SHAPES",
-          .help =
-              "Replace the collision meshes of all links, or of those whose name fits LINKS, a "
-              "pattern with `*`; masses and inertias stay. hull: their convex hulls. parts: convex "
-              "parts that fill about the same space, which takes up to a minute for each mesh and "
-              "needs CoACD (`pip install coacd`). boxes, capsules: the smallest ones around them. "
-              "keep: the meshes (default). May be repeated; the last one that fits counts.",
-          .set = append_choice(request.choices)};
+  return {
+      .name = "collision",
+      .metavar = "[LINKS=]SHAPES",
+      .help =
+          "Replace the collision meshes of all links, or of those whose name fits LINKS, a "
+          "pattern with `*`; masses and inertias stay. hull: their convex hulls. parts: convex "
+          "parts that fill about the same space, which takes up to a minute for each mesh and "
+          "needs CoACD (`pip install coacd`). boxes, capsules: the smallest ones around them. "
+          "lighter: about the same surfaces with fewer triangles; needs meshoptimizer (`pip "
+          "install meshoptimizer`). keep: the meshes (default). May be repeated; the last one that fits counts.",
+      .set = append_choice(request.choices)};
 }
 
 void complete(CollisionRequest& request, std::string_view tool, const ConverterOptions& options) {
@@ -56,6 +56,9 @@ void complete(CollisionRequest& request, std::string_view tool, const ConverterO
   constexpr std::uint64_t kLonger = 5;
   const std::uint64_t seconds = kLonger * options.max_seconds;
   request.divide = [seconds](const DividedMesh& mesh) { return divide_with_coacd(mesh, seconds); };
+  request.lighten = [seconds](const HeavyMesh& mesh) {
+    return lighten_with_meshoptimizer(mesh, seconds);
+  };
   if (!options.quiet) {
     request.tell = [tool](const std::string& sentence) { complain(tool, sentence); };
   }
