@@ -185,8 +185,8 @@ class JointControllers(cli.CliTest):
             self.assertNotEqual(done.returncode, 0, file)
             self.assertIn(reason, done.stderr)
             self.assertFalse(output.exists())
-        done = self.run_tool("urdf/arm.urdf", "--format", "sdf", "--controllers", other)
-        self.assertIn("need one of the formats mjcf, usda", done.stderr)
+        done = self.run_tool("urdf/arm.urdf", "--format", "sdf1.6", "--controllers", other)
+        self.assertIn("need one of the formats sdf, mjcf, usda", done.stderr)
 
     def test_prefix_of_launch_files(self):
         joints = '["$(var prefix)j1", "$(var prefix)j2"]'

@@ -150,9 +150,9 @@ class Motors(reader.ReaderTest):
         self.assertIn('gainprm="200" biasprm="0 -200 -7"', text)
         self.assertEqual(text.count('armature="0.5"'), 1)
         self.assertIn("<motor ", self.world(robot, "--actuator", "effort")[0].read_text())
-        done = self.run_tool(self.folder / "robot.urdf", "--format", "sdf", "--kp", "1")
+        done = self.run_tool(self.folder / "robot.urdf", "--format", "sdf1.6", "--kp", "1")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("need one of the formats mjcf, usda", done.stderr)
+        self.assertIn("need one of the formats sdf, mjcf, usda", done.stderr)
 
     def test_pairs_of_the_srdf_and_overlaps(self):
         shape = box(0.1, 0.1, 0.1)

@@ -321,14 +321,34 @@ SceneRequest request_of(const Options& options, const SceneFormat& format, Scene
   return request;
 }
 
-bool asks_for_motors(const Options& options) {
+/// What options need of a format that it does not have; "" if it has everything.
+std::string unmet_need(const Options& options, const SceneFormat& format, SceneForm form) {
   const MotorOptions& motors = options.motors;
-  return !options.controllers.empty() || motors.kind != MotorKind::as_written ||
-         !motors.kp.empty() || !motors.kv.empty() || !motors.armature.empty();
-}
-
-bool asks_for_link_pairs(const Options& options) {
-  return !options.srdf.empty() || options.excludes_overlaps;
+  const bool asks_for_motors = !options.controllers.empty() ||
+                               motors.kind != MotorKind::as_written || !motors.kp.empty() ||
+                               !motors.kv.empty();
+  const struct {
+    bool is_asked;
+    std::string_view words;
+    bool SceneFormat::*has;
+    bool in_expanded_form = true;
+  } needs[] = {
+      {options.ground, "--ground needs", &SceneFormat::has_ground},
+      {asks_for_motors, "--actuator, --kp, --kv and --controllers need", &SceneFormat::has_motors,
+       false},
+      {!motors.armature.empty(), "--armature needs", &SceneFormat::has_armatures, false},
+      {options.self_collision != SelfCollision::as_usual, "--self-collision needs",
+       &SceneFormat::has_contacts},
+      {!options.srdf.empty() || options.excludes_overlaps, "--srdf and --exclude-overlaps need",
+       &SceneFormat::has_link_pairs},
+      {options.collisions.changes_something(), "--collision needs", &SceneFormat::has_collisions}};
+  const bool is_expanded = form == SceneForm::expand || !format.has_expanded_form;
+  for (const auto& need : needs) {
+    if (!need.is_asked || (format.*need.has && (is_expanded || !need.in_expanded_form))) continue;
+    return std::string(need.words) + (need.in_expanded_form ? " --form expand and" : "") +
+           " one of the formats " + formats_with(need.has);
+  }
+  return {};
 }
 
 /// What the reader of the written file needs besides it, and what it loses.
@@ -418,37 +438,8 @@ int smurfs_flatten_main(int argc, char** argv) {
   }
   const std::optional<SceneForm> form = choose_form(format, options.form);
   if (!form) return kFailed;
-  if (options.ground && (!format.has_ground || *form != SceneForm::expand)) {
-    complain(kTool, "--ground needs --form expand and one of the formats " +
-                        formats_with(&SceneFormat::has_ground));
-    return kFailed;
-  }
-  if (asks_for_motors(options) && !format.has_motors) {
-    complain(kTool,
-             "--actuator, --kp, --kv, --armature and --controllers need one of the formats " +
-                 formats_with(&SceneFormat::has_motors));
-    return kFailed;
-  }
-  const bool asks_for_contacts =
-      options.self_collision != SelfCollision::as_usual || asks_for_link_pairs(options);
-  if (asks_for_contacts && format.has_expanded_form && *form != SceneForm::expand) {
-    complain(kTool, "--self-collision, --srdf and --exclude-overlaps need --form expand");
-    return kFailed;
-  }
-  if (options.self_collision != SelfCollision::as_usual && !format.has_contacts) {
-    complain(kTool, "--self-collision needs one of the formats " +
-                        formats_with(&SceneFormat::has_contacts));
-    return kFailed;
-  }
-  if (asks_for_link_pairs(options) && !format.has_link_pairs) {
-    complain(kTool, "--srdf and --exclude-overlaps need one of the formats " +
-                        formats_with(&SceneFormat::has_link_pairs));
-    return kFailed;
-  }
-  const bool is_expanded = *form == SceneForm::expand || !format.has_expanded_form;
-  if (options.collisions.changes_something() && (!format.has_collisions || !is_expanded)) {
-    complain(kTool, "--collision needs --form expand and one of the formats " +
-                        formats_with(&SceneFormat::has_collisions));
+  if (const std::string unmet = unmet_need(options, format, *form); !unmet.empty()) {
+    complain(kTool, unmet);
     return kFailed;
   }
   complete(options.collisions, kTool, options.common);

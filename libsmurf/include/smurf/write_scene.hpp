@@ -124,6 +124,7 @@ struct SceneFormat {
   bool has_ground = false;        ///< can add a floor to the expanded form
   bool repeats_models = false;    ///< writes the model of each instance out
   bool has_motors = false;        ///< writes MotorOptions
+  bool has_armatures = false;     ///< writes MotorOptions::armature
   bool has_contacts = false;      ///< writes OwnContacts::choice
   bool has_link_pairs = false;    ///< writes OwnContacts::left_out
   bool loses_link_pairs = false;  ///< its readers compute contacts, and it has no place for pairs

@@ -91,11 +91,7 @@ const std::string& CompanionRobots::text_of(const std::string& companion,
 bool CompanionRobots::is_written(const std::string& companion, std::string_view name) {
   const Project& project = project_of(companion);
   return std::any_of(project.robots.begin(), project.robots.end(), [&](const auto& robot) {
-    const std::string& text = text_of(project, robot);
-    for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at + 1)) {
-      if (xacro::is_whole_name(text, at, at + name.size())) return true;
-    }
-    return false;
+    return xacro::find_name(text_of(project, robot), name) != std::string_view::npos;
   });
 }
 

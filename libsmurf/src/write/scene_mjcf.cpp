@@ -463,16 +463,6 @@ class MjcfWriter : MjcfLoops {
   std::vector<std::pair<std::size_t, const urdf::Joint*>> followers_;
 };
 
-RepeatedParts repeated_parts(const LinkedModel& model) {
-  RepeatedParts parts = mjcf_devices(model);
-  parts.names += model.robot->links.size();
-  for (const urdf::Link& link : model.robot->links) {
-    parts.names += link.visuals.size() + link.collisions.size();
-  }
-  for (const urdf::Joint& joint : model.robot->joints) parts.names += joint.mimic ? 3 : 1;
-  return parts;
-}
-
 }  // namespace
 
 extern constinit const SceneFormat scene_mjcf{
@@ -487,6 +477,7 @@ extern constinit const SceneFormat scene_mjcf{
     .has_ground = true,
     .repeats_models = true,
     .has_motors = true,
+    .has_armatures = true,
     .has_contacts = true,
     .has_link_pairs = true,
     .has_bitmasks = true,
@@ -495,6 +486,6 @@ extern constinit const SceneFormat scene_mjcf{
     .usual_contacts = SelfCollision::srdf,
     .has_collisions = true,
     .fixes_world_roots = true,
-    .repeated_parts = repeated_parts};
+    .repeated_parts = mjcf_repeated_parts};
 
 }  // namespace smurf::scene_mjcf_file

@@ -228,6 +228,7 @@ class SdfWriter : SdfJoints {
     }
     add_own_contacts();
     parts_of(model).gazebo.add_to_model(xml_);
+    if (!is_old_) add_controllers(model);
     xml_.close();
   }
 
@@ -397,6 +398,7 @@ extern constinit const SceneFormat scene_sdf{
     .has_reference_form = true,
     .has_ground = true,
     .repeats_models = true,
+    .has_motors = true,
     .has_contacts = true,
     .has_bitmasks = true,
     .has_collisions = true,

@@ -171,10 +171,9 @@ std::vector<SeenArgument> seen_arguments(const std::string& root,
 
 std::vector<std::string> values_in(std::string_view text, std::string_view name) {
   std::vector<std::string> values;
-  for (std::size_t at = text.find(name); at != std::string_view::npos;
-       at = text.find(name, at + name.size())) {
+  for (std::size_t at = find_name(text, name); at != std::string_view::npos;
+       at = find_name(text, name, at + name.size())) {
     const std::size_t end = at + name.size();
-    if (!is_whole_name(text, at, end)) continue;
     std::vector<std::string> choices = choices_after(text, at, end);
     if (!choices.empty()) return choices;
     std::string value = value_after(text, at, end);
@@ -185,9 +184,8 @@ std::vector<std::string> values_in(std::string_view text, std::string_view name)
 }
 
 std::vector<std::string> choices_in(std::string_view text, std::string_view name) {
-  for (std::size_t at = text.find(name); at != std::string_view::npos;
-       at = text.find(name, at + name.size())) {
-    if (!is_whole_name(text, at, at + name.size())) continue;
+  for (std::size_t at = find_name(text, name); at != std::string_view::npos;
+       at = find_name(text, name, at + name.size())) {
     std::vector<std::string> choices = choices_after(text, at, at + name.size());
     if (!choices.empty()) return choices;
   }
@@ -221,7 +219,7 @@ ArgumentsInText arguments_in(std::string_view text) {
     const std::size_t end = text.find(text[quote], quote + 1);
     if (end == std::string_view::npos) break;
     const std::string_view name = text.substr(quote + 1, end - quote - 1);
-    if (found.uses.emplace(name, at).second) found.names.emplace_back(name);
+    if (!name.empty() && found.uses.emplace(name, at).second) found.names.emplace_back(name);
   }
   constexpr std::string_view kTag = "<xacro:arg";
   for (std::size_t at = text.find(kTag); at != std::string_view::npos;

@@ -182,9 +182,9 @@ class Uses {
         use->is_used = true;  // not known
         --unused_;
       }
-      for (std::size_t at = is_open() ? text.find(name) : text.npos; at != text.npos && is_open();
-           at = text.find(name, at + 1)) {
-        if (is_whole_name(text, at, at + name.size())) mark(text, source, at, at + name.size());
+      for (std::size_t at = is_open() ? find_name(text, name) : text.npos;
+           at != text.npos && is_open(); at = find_name(text, name, at + 1)) {
+        mark(text, source, at, at + name.size());
       }
     }
   }

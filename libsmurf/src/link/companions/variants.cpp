@@ -57,9 +57,9 @@ std::set<std::string> integers_in(std::string_view text) {
 /// The literals with which a text compares a name: 6 in `${dof == 6}`.
 std::set<std::string> compared_with(std::string_view text, std::string_view name) {
   std::set<std::string> found;
-  for (std::size_t at = text.find(name); at != text.npos; at = text.find(name, at + name.size())) {
+  for (std::size_t at = xacro::find_name(text, name); at != text.npos;
+       at = xacro::find_name(text, name, at + name.size())) {
     std::size_t next = at + name.size();
-    if (!xacro::is_whole_name(text, at, next)) continue;
     next = text.find_first_not_of(")'\" \t", next);
     if (next == text.npos || text.substr(next + 1, 1) != "=") continue;
     if (text[next] != '=' && text[next] != '!') continue;

@@ -6,6 +6,7 @@
 #include "convert/import.hpp"
 #include "write/losses/found_things.hpp"
 #include "write/parts/joint_drives.hpp"
+#include "write/sdf/sdf_controllers.hpp"
 
 namespace smurf::things {
 namespace {
@@ -119,7 +120,8 @@ Found ros2_controls(const LinkedModel& model, SceneColumn column, const MotorOpt
 }
 
 Found motors(const LinkedModel& model, SceneColumn column, const MotorOptions&) {
-  if (!has_drives(column)) return entries<&Annotations::motors>(model, column);
+  const bool has_controllers = column == SceneColumn::sdf && !has_own_controllers(model);
+  if (!has_drives(column) && !has_controllers) return entries<&Annotations::motors>(model, column);
   Found found;
   for (const Motor* motor : idle_motors(model)) {
     found.push_back({motor->span, motor->name.value_or({})});
@@ -131,6 +133,11 @@ Found motor_keys(const LinkedModel& model, SceneColumn column) {
   std::vector<std::string_view> said{"name",        "joint",     "type",        "p",
                                      "maxSpeed",    "maxEffort", "mimic_motor", "mimic_multiplier",
                                      "mimic_offset"};
+  if (column == SceneColumn::sdf && has_own_controllers(model)) return {};
+  if (column == SceneColumn::sdf) {
+    std::erase(said, "p");
+    std::erase(said, "maxEffort");
+  }
   if (column == SceneColumn::mjcf) {
     said.insert(said.end(), {"minValue", "maxValue", "minPosition", "maxPosition", "kp", "kv"});
   }

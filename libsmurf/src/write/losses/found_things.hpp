@@ -58,7 +58,7 @@ Found entries(const LinkedModel& model, SceneColumn) {
   }
   return found;
 }
-/// MJCF and USD: only motors that move no joint.
+/// MJCF, USD and SDF: only motors that move no joint.
 Found motors(const LinkedModel& model, SceneColumn column, const MotorOptions& options);
 /// Keys that actuators of MuJoCo, or drives of USD, do not have.
 Found motor_keys(const LinkedModel& model, SceneColumn column);

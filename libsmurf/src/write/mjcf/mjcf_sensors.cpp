@@ -5,7 +5,7 @@
 
 namespace smurf {
 
-RepeatedParts mjcf_devices(const LinkedModel& model) {
+RepeatedParts mjcf_repeated_parts(const LinkedModel& model) {
   constexpr std::uint64_t kElement = 400;  // bytes, as check_scene_size() counts shapes
   RepeatedParts parts;
   for (const MujocoSensor& sensor : mujoco_sensors(model, {})) {
@@ -21,6 +21,11 @@ RepeatedParts mjcf_devices(const LinkedModel& model) {
     parts.bytes += kElement + drive.name.size();
     parts.names += 2;
   }
+  parts.names += model.robot->links.size();
+  for (const urdf::Link& link : model.robot->links) {
+    parts.names += link.visuals.size() + link.collisions.size();
+  }
+  for (const urdf::Joint& joint : model.robot->joints) parts.names += joint.mimic ? 3 : 1;
   return parts;
 }
 

@@ -11,9 +11,8 @@
 
 namespace smurf {
 
-/// The sensors of a model and the motors of its joints, written for each instance; without the
-/// motors that options add.
-RepeatedParts mjcf_devices(const LinkedModel& model);
+/// What is written for each instance: sensors, motors but for those that options add, and names.
+RepeatedParts mjcf_repeated_parts(const LinkedModel& model);
 
 class MjcfSensors : protected MjcfActuators {
  public:

@@ -19,6 +19,10 @@ class KeptFinder {
 
   KeptParts find(const SceneExport& scene) {
     for (const Sensor& sensor : model_.annotations.sensors) of_sensor(sensor);
+    for (const Motor& motor : model_.annotations.motors) {
+      const auto joint = motor.joint ? model_.joint_names.find(*motor.joint) : std::nullopt;
+      if (joint) kept_.joints[*joint] = true;
+    }
     for (const xml::ElementId id : model_.robot->extensions) {
       const xml::View element(model_.robot->document, id);
       if (element.name() == "gazebo") keep(attribute_of(element, "reference"));

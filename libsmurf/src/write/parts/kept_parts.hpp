@@ -13,7 +13,7 @@ struct KeptParts {
   std::vector<bool> links, joints;
 };
 
-/// What sensors, elements of Gazebo, loops, followers and anchors of the scene refer to.
+/// What sensors, motors, elements of Gazebo, loops, followers and anchors of the scene refer to.
 KeptParts kept_parts(const LinkedModel& model, const SceneExport& scene);
 /// Whether a link is nothing but a frame.
 bool is_bare(const LinkedModel& model, std::size_t link, const KeptParts& kept);

@@ -2,6 +2,7 @@
 #include "write/sdf/sdf_joints.hpp"
 
 #include "base/text/unique_names.hpp"
+#include "write/sdf/sdf_controllers.hpp"
 #include "write/sdf/sdf_names.hpp"
 
 namespace smurf {
@@ -102,6 +103,15 @@ void SdfJoints::add_joint(std::size_t i, const LinkedModel& model, const SdfJoin
   UniqueNames sensors;
   parts_of(model).add_to_joint(xml_, joint, is_old_, sensors);
   xml_.close();
+}
+
+void SdfJoints::add_controllers(const LinkedModel& model) {
+  for (const JointDrive& drive : sdf_drives(model, parts_of(model).tree, scene_.motors)) {
+    if (xml_.is_full()) return;
+    const std::string scope(sdf_scope(*drive.joint->name));
+    const std::string name = joint_name(model, *drive.joint, scope);
+    add_sdf_controller(xml_, drive, scope.empty() ? name : scope + "::" + name, scene_.motors);
+  }
 }
 
 void SdfJoints::add_loop(std::size_t i, const LinkedModel& model, const Loop& loop) {

@@ -21,6 +21,9 @@ RepeatedParts sdf_parts(const LinkedModel& model) {
     if (document == nullptr || !sensor.name || passes::gazebo_type(sensor).empty()) continue;
     parts.bytes += passes::gazebo_sensor(*document, sensor, *sensor.name).size();
   }
+  constexpr std::uint64_t kController = 300;  // bytes
+  for (const Motor& motor : model.annotations.motors)
+    parts.bytes += kController + (motor.joint ? motor.joint->size() : 0);
   for (const urdf::Link& link : model.robot->links) {
     const std::size_t name = link.name ? link.name->size() : 0;
     for (const urdf::Visual& visual : link.visuals) {

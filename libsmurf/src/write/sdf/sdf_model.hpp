@@ -14,7 +14,7 @@
 
 namespace smurf {
 
-/// The sensors of the annotations, and names of many shapes, which all instances share.
+/// The sensors and motors of the annotations, and names of many shapes, which all instances share.
 RepeatedParts sdf_parts(const LinkedModel& model);
 
 class SdfModel {
