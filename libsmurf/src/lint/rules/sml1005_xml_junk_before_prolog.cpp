@@ -12,6 +12,7 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "skips blanks", kRun, when(cases::kBlanks)},
     {&readers::mujoco, Effect::takes, "skips blanks", kRun, when(cases::kBlanks)},
     {&readers::drake, Effect::takes, "skips blanks", kRun, when(cases::kBlanks)},
+    {&readers::pybullet, Effect::takes, "skips blanks", kRun, when(cases::kBlanks)},
     {&readers::phobos, Effect::refuses, "refuses the file", "expat, lxml, run"},
 };
 
