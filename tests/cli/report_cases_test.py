@@ -253,8 +253,7 @@ class CasesTest(unittest.TestCase):
         self.check(other, "ros", "loses", "SML1651", "mini_description", name="pkg/urdf/r.urdf")
         right = text.replace("mini_descripton", "mini_description")
         self.check(right, "ros", "takes", name="pkg/urdf/r.urdf")
-        self.check(right, "dart", "takes", options=("--package", "mini_description=pkg"), name="pkg/urdf/r.urdf")
-        self.check(right, "dart", "unknown", "SML1912", name="pkg/urdf/r.urdf")
+        self.check(right, "dart", "takes", name="pkg/urdf/r.urdf")
 
     def test_file_addresses_of_found_packages(self):
         """As `file://$(find PACKAGE)` writes them: only MuJoCo and MARS refuse them."""
@@ -271,7 +270,7 @@ class CasesTest(unittest.TestCase):
     def test_packages_without_package_xml(self):
         files = [("go/meshes/a.obj", TETRAHEDRON), ("go/visuals/b.obj", TETRAHEDRON)]
         text = robot(link("a", collision("package://other/meshes/a.obj")))
-        self.check(text, "ros", "unknown", "SML1651", "--package other=DIR", files=files, name="go/urdf/r.urdf")
+        self.check(text, "ros", "loses", "SML1651", "--package other=DIR", files=files, name="go/urdf/r.urdf")
         case = robot(link("a", collision("package://other/meshes/A.obj")), link("b", collision("package://other/meshes/a.obj")),
                      fixed("f", "a", "b"))
         self.assertIn("SML1605", self.rules(case, name="go/urdf/r.urdf"))
@@ -345,7 +344,7 @@ class UnseenRobots(CasesTest):
             self.assertEqual((name, one["verdict"]), (name, "loses"))
         found = [one for one in report["diagnostics"] if one["id"] == "SML1009"]
         self.assertEqual([one["message"] for one in found], ["`${ns}base` is a xacro expression that was never expanded"])
-        self.assertIn("4 more in this file", found[0]["notes"])
+        self.assertIn("2 more such expressions in this file", found[0]["notes"])
         other = self.lint(text.replace('<child link="${ns}arm"/>', '<child link="${other}arm"/>'), "ros,gazebo,mujoco,dart")["targets"]
         self.assertEqual({one["verdict"] for one in other.values()}, {"refuses"})
 

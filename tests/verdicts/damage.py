@@ -297,7 +297,7 @@ def write(cases, folder, text_of=lambda text: text):
     for name, content in robots.meshes().items():
         (folder / name).write_bytes(content)
     # Readers that treat paths as URIs fail at some of the characters of the names.
-    paths = {name: folder / f"{number:04}_{re.sub(r'[^A-Za-z0-9.@=-]', '_', name)}.urdf"
+    paths = {name: folder / f"{number:04}_{re.sub(r'[^A-Za-z0-9.@=-]', '_', name)[:200]}.urdf"
              for number, name in enumerate(cases)}
     for name, path in paths.items():
         path.write_bytes(text_of(cases[name].text))

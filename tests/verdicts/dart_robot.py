@@ -3,8 +3,10 @@
 
 The module does not tell which joint another one follows, only that it follows.
 """
+import os
+
 import dartpy
-from run_reader import run_reader
+from run_reader import package_of, run_reader
 
 
 def add_shape(robot, body, index):
@@ -45,7 +47,10 @@ def add_joint(robot, joint):
 
 
 def read(file):
-    skeleton = dartpy.utils.DartLoader().parseSkeleton(file)
+    loader = dartpy.utils.DartLoader()
+    if "SMURF_SIZES" in os.environ:  # for paths_record.py, the packages are given
+        loader.addPackageDirectory("robot_hand", str(package_of(file)))
+    skeleton = loader.parseSkeleton(file)
     if skeleton is None:
         raise ValueError("no skeleton")
     robot = {"name:": skeleton.getName()}

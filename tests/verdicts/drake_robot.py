@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Robots as Drake reads them (pydrake's Parser with its own settings)."""
 import os
-import pathlib
 
 from pydrake.geometry import Role
 from pydrake.multibody.parsing import Parser
 from pydrake.multibody.plant import AddMultibodyPlantSceneGraph
 from pydrake.systems.framework import DiagramBuilder
-from run_reader import run_reader
+from run_reader import package_of, run_reader
 
 
 def pose(transform):
@@ -54,7 +53,7 @@ def read(file):
     plant, scene_graph = AddMultibodyPlantSceneGraph(DiagramBuilder(), 0.001)
     parser = Parser(plant)
     if "SMURF_SIZES" in os.environ:  # for paths_record.py, the packages are given
-        parser.package_map().PopulateFromFolder(str(pathlib.Path(file).parents[2]))
+        parser.package_map().PopulateFromFolder(str(package_of(file).parent))
     models = parser.AddModels(file)
     plant.Finalize()
     context = plant.CreateDefaultContext()

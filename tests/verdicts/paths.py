@@ -27,9 +27,10 @@ PATHS = {
     "file": "file://{HERE}/meshes/cube.stl", "file-missing": "file:///gone/cube.stl", "file-relative": "file://../meshes/cube.stl",
     "file-short": "file:../meshes/cube.stl", "absolute": "{HERE}/meshes/cube.stl", "absolute-missing": "/gone/cube.stl",
     "model": "model://robot_hand/meshes/cube.stl", "http": "http://127.0.0.1:9/cube.stl",
-    "backslash": "..\\meshes\\cube.stl", "case": "../meshes/Cube.stl",
+    "backslash": "..\\meshes\\cube.stl", "case": "../meshes/Cube.stl", "find": "file://$(find robot_hand)/meshes/cube.stl",
 }
-BESIDE = {"beside": "cube.stl", "package-three-slashes-beside": "package:///cube.stl"}
+BESIDE = {"beside": "cube.stl", "package-three-slashes-beside": "package:///cube.stl", "package-file-beside": "package://cube.stl"}
+DEEP = ("package", "package-three-slashes", "from-above")  # for a URDF far below its package
 PLACES = ("visual", "collision", "both", "texture")
 
 
@@ -40,6 +41,7 @@ class Case:
     folder: str = PACKAGE
     place: str = "collision"
     is_twin: bool = False
+    urdf: str = "urdf/robot.urdf"
 
 
 def document(shapes, after="", material=""):
@@ -150,8 +152,8 @@ def all_cases():
     cube = robots.binary_stl(*box(BOX))
     package = {"package.xml": package_xml(PACKAGE)}
 
-    def add(name, place, path, files, folder=PACKAGE, after=""):
-        cases[name] = Case(document(shapes_of(place, path), after), {**package, **files}, folder, place)
+    def add(name, place, path, files, folder=PACKAGE, after="", urdf="urdf/robot.urdf"):
+        cases[name] = Case(document(shapes_of(place, path), after), {**package, **files}, folder, place, urdf=urdf)
 
     for place in PLACES:
         ending = "png" if place == "texture" else "stl"
@@ -165,6 +167,8 @@ def all_cases():
             add(f"{place}~{kind}", place, path.replace("stl", ending), beside)
         for kind in ("package", "package-three-slashes"):
             add(f"{place}~{kind}-other-folder", place, PATHS[kind].replace("stl", ending), files, "robot-hand")
+        for kind in DEEP:
+            add(f"{place}~{kind}-deep", place, PATHS[kind].replace("stl", ending), files, urdf="arms/hand/left/2024/urdf/v2/robot.urdf")
     for kind, (name, content) in contents().items():
         for place in ("visual", "collision"):
             add(f"{place}:{kind}", place, f"../meshes/{name}", {f"meshes/{name}": content})
@@ -214,6 +218,9 @@ def add_robots(cases):
     foot = (f'<link name="foot">{BODY}</link><joint name="f" type="fixed"><parent link="hand"/><child link="foot"/>'
             '<mimic joint="j"/></joint></robot>')
     add("mimic-fixed", "</robot>", foot)
+    add("mimic-both-fixed", "</robot>", foot.replace('<mimic joint="j"/>', "").replace(
+        "</robot>", f'<link name="toe">{BODY}</link><joint name="t" type="fixed"><parent link="foot"/><child link="toe"/>'
+        '<mimic joint="f"/></joint></robot>'))
     add("follows-fixed", "</robot>", foot.replace('<mimic joint="j"/>', "").replace(
         "</robot>", f'<link name="toe">{BODY}</link><joint name="t" type="revolute"><parent link="foot"/><child link="toe"/>'
         '<axis xyz="1 0 0"/><limit lower="-1" upper="1" effort="1" velocity="1"/><mimic joint="f"/></joint></robot>'))
@@ -240,7 +247,7 @@ def write(cases, folder, text_of=lambda text: text):
         for file, content in case.files.items():
             (package / file).parent.mkdir(parents=True, exist_ok=True)
             (package / file).write_bytes(content)
-        paths[name] = package / "urdf/robot.urdf"
+        paths[name] = package / case.urdf
         paths[name].parent.mkdir(parents=True, exist_ok=True)
         paths[name].write_bytes(text_of(case.text.replace(HERE, str(package)).encode()))
     return paths

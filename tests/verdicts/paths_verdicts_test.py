@@ -28,10 +28,10 @@ TARGETS = {"ros": "urdfdom", "gazebo": "libsdformat", "dart": "DART", "dart:6.20
            "mujoco:3.1": "MuJoCo-3.1", "mujoco:3.3": "MuJoCo-3.3", "mujoco:4.0": "MuJoCo-4", "pybullet": "Bullet", "drake": "Drake",
            "pinocchio": "Pinocchio", "newton": "Newton", "isaac": "Isaac"}
 COUNTS = ("all-clears", "alarms", "not-known", "unsaid")
-# A COLLADA file that ends with a zero byte is read by DART and Pinocchio. DART finds packages that it was given.
-# MuJoCo before 3.7 drops folders also behind `meshdir`, and 3.3 and earlier refuse a turned plate.
-BOUNDS = {"dart:6.20": (0, 3, 6, 0), "mujoco:2.3": (1, 1, 0, 0), "mujoco:3.1": (1, 1, 0, 0), "mujoco:3.3": (1, 1, 0, 0),
-          "pinocchio": (0, 3, 0, 0)}
+# A COLLADA file that ends with a zero byte is read by DART and Pinocchio. MuJoCo 3.3 and earlier refuse a turned plate. Newton
+# looks for a package only from the folder above the URDF.
+BOUNDS = {"dart:6.20": (0, 3, 0, 0), "mujoco:2.3": (1, 0, 0, 0), "mujoco:3.1": (1, 0, 0, 0), "mujoco:3.3": (1, 0, 0, 0),
+          "pinocchio": (0, 3, 0, 0), "newton": (0, 0, 0, 2)}
 LEAST = 180
 SIZES = ("100x200x400", "104x204x404", "106x206x406")  # Bullet adds a margin
 # What a reader never builds is no loss that a case causes.

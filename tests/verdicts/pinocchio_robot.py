@@ -4,7 +4,7 @@ import os
 import pathlib
 
 import pinocchio
-from run_reader import run_reader
+from run_reader import package_of, run_reader
 
 
 def pose(placement):
@@ -13,8 +13,8 @@ def pose(placement):
 
 def folders_of(file):
     """The folder of the URDF; for paths_record.py, as programs give them, that of the packages, too."""
-    parents = pathlib.Path(file).parents
-    return [str(parents[0])] if "SMURF_SIZES" not in os.environ else [str(parents[0]), str(parents[2])]
+    own = str(pathlib.Path(file).parent)
+    return [own] if "SMURF_SIZES" not in os.environ else [own, str(package_of(file).parent)]
 
 
 def read(file):

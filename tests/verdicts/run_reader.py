@@ -6,6 +6,7 @@ Each file is read by a child, for readers crash and do not come to an end; what 
 import json
 import math
 import os
+import pathlib
 import resource
 import signal
 import sys
@@ -23,6 +24,11 @@ def plain(value):
         return [plain(one) for one in value]
     number = float(value)
     return number if math.isfinite(number) else str(number)
+
+
+def package_of(file):
+    """The folder with a package.xml around the file; for paths_record.py, which says that packages are given."""
+    return next(folder for folder in pathlib.Path(file).parents if (folder / "package.xml").exists())
 
 
 def said_of(read, file):

@@ -12,6 +12,7 @@
 #include "ast/urdf_numbers.hpp"
 #include "base/files/path.hpp"
 #include "base/findings/cases.hpp"
+#include "base/findings/file_cases.hpp"
 #include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
 #include "base/numbers/quantity.hpp"
@@ -271,31 +272,20 @@ class RobotReader {
   bool has_quaternions_ = false;
 };
 
-constexpr std::string_view kExpression = "a xacro expression";
+/// What was not expanded, which is one cause each. Readers fail on some places and ignore others.
+enum class XacroResidue : std::uint8_t { element, in_joint, elsewhere };
 
-/// The first xacro residue of one kind, and the number of others: they have one cause, that the
-/// file was not expanded.
-struct XacroTrace {
-  Span first;
-  std::string what;
-  std::size_t count = 0;
-
-  void add(Span place, std::string_view text, std::string_view kind) {
-    if (count++ > 0 && place.begin >= first.begin) return;
-    first = place;
-    what = quoted(text) + " is " + std::string(kind);
-  }
-
-  void report(DiagnosticSink& sink) const {
-    if (count == 0) return;
-    Diagnostic& diagnostic =
-        sink.report(rules::sml1009_xacro_residue, first, what + " that was never expanded");
-    if (count > 1) {
-      diagnostic.note(std::to_string(count - 1) + " more in this file");
-    }
-    diagnostic.help("name the file .urdf.xacro; smurf-lint and smurf2urdf expand it");
-  }
-};
+void report_xacro(XacroResidue residue, Span place, std::string_view text, DiagnosticSink& sink) {
+  const bool is_element = residue == XacroResidue::element;
+  Diagnostic& diagnostic =
+      sink.report(rules::sml1009_xacro_residue, place,
+                  quoted(text) + " is a xacro " + (is_element ? "element" : "expression") +
+                      " that was never expanded");
+  diagnostic.others_are = is_element ? "such elements" : "such expressions";
+  diagnostic.habit = static_cast<std::uint32_t>(residue);
+  if (text.starts_with("file:")) diagnostic.when(cases::kUnexpandedUri);
+  diagnostic.help("name the file .urdf.xacro; smurf-lint and smurf2urdf expand it");
+}
 
 bool is_xacro_definition(View element) {
   return element.name() == "xacro:property" || element.name() == "xacro:arg";
@@ -312,17 +302,17 @@ std::set<std::string_view> link_names(const xml::Document& document) {
 
 /// Readers ignore xacro elements, but fail on expressions, especially in joints. So there is one
 /// finding each for expressions in joints, other expressions, and elements. A reference to a link
-/// whose name has the same expression is found, and adds only to the number of the others.
+/// whose name has the same expression is found, and not reported.
 void report_xacro(const xml::Document& document, DiagnosticSink& sink) {
   if (has_only_xacro_definitions(document)) return;
-  XacroTrace elements, in_joints, elsewhere;
   std::optional<std::set<std::string_view>> links;
-  std::size_t found_links = 0;
   std::set<xml::ElementId> dropped;  // with all that is in them
   for (std::uint32_t i = 0; i < document.elements.size(); ++i) {
     const View element(document, xml::ElementId{i});
     const bool is_xacro_element = element.name().starts_with("xacro:");
-    if (is_xacro_element) elements.add(element.name_span(), element.name(), "a xacro element");
+    if (is_xacro_element) {
+      report_xacro(XacroResidue::element, element.name_span(), element.name(), sink);
+    }
     if (is_xacro_element || (!dropped.empty() && dropped.contains(element.element().parent))) {
       dropped.insert(element.id());
       continue;
@@ -332,16 +322,12 @@ void report_xacro(const xml::Document& document, DiagnosticSink& sink) {
       const bool is_in_joint = element.parent() && element.parent().name() == "joint";
       if (is_in_joint && at.name() == "link") {
         if (!links) links = link_names(document);
-        if (links->contains(at.value())) {
-          ++found_links;
-          continue;
-        }
+        if (links->contains(at.value())) continue;
       }
-      (is_in_joint ? in_joints : elsewhere).add(at.value_span(), at.value(), kExpression);
+      report_xacro(is_in_joint ? XacroResidue::in_joint : XacroResidue::elsewhere, at.value_span(),
+                   at.value(), sink);
     }
   }
-  elsewhere.count += found_links;
-  for (const XacroTrace* trace : {&elements, &in_joints, &elsewhere}) trace->report(sink);
 }
 
 }  // namespace

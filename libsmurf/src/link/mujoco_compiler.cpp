@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// MuJoCo 3.14, run: puts `meshdir`, else `assetdir`, before the path of each mesh; with
-// `strippath="true"`, only the file name is kept.
+// MuJoCo, run: puts `meshdir`, else `assetdir`, before the path of each mesh; with
+// `strippath="true"`, which was the default before 3.7, only the file name is kept.
 #include "link/mujoco_compiler.hpp"
 
 #include "base/files/path.hpp"
@@ -24,62 +24,54 @@ const xml::Attribute* mesh_folder(xml::View compiler) {
   return folder != nullptr ? folder : compiler.attribute("assetdir");
 }
 
-/// Looks for meshes as MuJoCo does.
+/// Looks for meshes as MuJoCo does, with their folders or only by their names.
 class MeshSearch {
  public:
-  MeshSearch(const LinkedModel& model, const LoadContext& context)
-      : context_(context),
-        index_(context.files),
-        compiler_(mujoco_compiler(model)),
-        folder_(mesh_folder(compiler_)),
-        strips_(says(compiler_, "strippath", "true")),
-        urdf_folder_(path::parent(model.urdf_path)) {}
+  MeshSearch(const LinkedModel& model, FileIndex& index, bool strips)
+      : index_(index), strips_(strips), folder_(path::parent(model.urdf_path)) {
+    const xml::Attribute* folder = mesh_folder(mujoco_compiler(model));
+    if (folder != nullptr) folder_ = path::join(folder_, folder->value());
+    const bool has_visuals = keeps_visuals(model);
+    for (const urdf::Link& link : model.robot->links) {
+      for (const urdf::Visual& visual : link.visuals) {
+        if (has_visuals) find(visual.geometry);
+      }
+      for (const urdf::Collision& collision : link.collisions) find(collision.geometry);
+    }
+  }
 
+  bool has_lost() const { return lost_ > 0; }
+  /// A file that may be there, but was not looked up; empty if there is none.
+  const std::string& outside() const { return outside_; }
+
+  Diagnostic& report(Span place, std::string_view who, DiagnosticSink& sink) const {
+    Diagnostic& diagnostic = sink.report(rules::sml1647_mujoco_mesh_missing, place,
+                                         std::string(who) + " looks for a mesh at " +
+                                             quoted(first_) + ", where there is none");
+    if (lost_ > 1) {
+      diagnostic.note(std::to_string(lost_ - 1) + " more meshes are missing, too");
+    }
+    return diagnostic;
+  }
+
+ private:
   void find(const urdf::Geometry& geometry) {
     const auto* mesh = std::get_if<urdf::Mesh>(&geometry.shape);
     if (mesh == nullptr || !mesh->filename || mesh->filename->empty()) return;
-    const std::string path = path_of(*mesh->filename);
+    std::string_view filename = *mesh->filename;
+    if (strips_) filename = filename.substr(filename.find_last_of("/\\") + 1);
+    const std::string path = path::join(folder_, filename);
     if (index_.exists(path)) return;
-    if (context_.files.is_denied(path)) {
+    if (index_.files().is_denied(path)) {
       if (outside_.empty()) outside_ = path;
     } else if (lost_++ == 0) {
       first_ = path;
     }
   }
 
-  void report() const {
-    if (lost_ == 0 && outside_.empty()) return;
-    const xml::Attribute* place = folder_ != nullptr ? folder_ : compiler_.attribute("strippath");
-    if (lost_ == 0) {
-      Diagnostic& diagnostic = context_.sink.report(
-          rules::sml1647_mujoco_mesh_missing, place->value_span(),
-          "MuJoCo looks for a mesh at " + quoted(outside_) + ", which lies outside of the project");
-      diagnostic.when(kUncertain);
-      diagnostic.help("add `--allow-outside` to look for it there");
-      return;
-    }
-    Diagnostic& diagnostic = context_.sink.report(
-        rules::sml1647_mujoco_mesh_missing, place->value_span(),
-        "MuJoCo looks for a mesh at " + quoted(first_) + ", where there is none");
-    if (lost_ > 1) {
-      diagnostic.note(std::to_string(lost_ - 1) + " more meshes are missing, too");
-    }
-  }
-
- private:
-  std::string path_of(std::string_view filename) const {
-    if (strips_) filename = filename.substr(filename.find_last_of("/\\") + 1);
-    const std::string folder =
-        folder_ == nullptr ? urdf_folder_ : path::join(urdf_folder_, folder_->value());
-    return path::join(folder, filename);
-  }
-
-  const LoadContext& context_;
-  FileIndex index_;
-  xml::View compiler_;
-  const xml::Attribute* folder_;
+  FileIndex& index_;
   bool strips_;
-  std::string urdf_folder_;
+  std::string folder_;  ///< in which MuJoCo looks
   std::string first_, outside_;
   std::size_t lost_ = 0;
 };
@@ -112,15 +104,30 @@ bool is_told_where_meshes_are(const LinkedModel& model) {
 
 void check_meshes_of_mujoco(const LinkedModel& model, const LoadContext& context) {
   if (!is_told_where_meshes_are(model)) return;
-  MeshSearch search(model, context);
-  const bool has_visuals = keeps_visuals(model);
-  for (const urdf::Link& link : model.robot->links) {
-    for (const urdf::Visual& visual : link.visuals) {
-      if (has_visuals) search.find(visual.geometry);
-    }
-    for (const urdf::Collision& collision : link.collisions) search.find(collision.geometry);
+  const xml::View compiler = mujoco_compiler(model);
+  const xml::Attribute* strippath = compiler.attribute("strippath");
+  const xml::Attribute* folder = mesh_folder(compiler);
+  const Span place = (folder != nullptr ? folder : strippath)->value_span();
+  FileIndex index(context.files);
+  const bool strips = says(compiler, "strippath", "true");
+  const MeshSearch search(model, index, strips);
+  const MeshSearch before(model, index, strips || strippath == nullptr);
+  if (search.has_lost()) {
+    Diagnostic& diagnostic = search.report(place, "MuJoCo", context.sink);
+    diagnostic.when(kLostToNewMujoco);
+    if (before.has_lost()) diagnostic.when(kLostToOldMujoco);
+  } else if (before.has_lost()) {
+    before.report(place, "MuJoCo before 3.7", context.sink)
+        .when(kLostToOldMujoco)
+        .help("add `strippath=\"false\"`, or put the meshes into one folder");
+  } else if (!search.outside().empty()) {
+    Diagnostic& diagnostic =
+        context.sink.report(rules::sml1647_mujoco_mesh_missing, place,
+                            "MuJoCo looks for a mesh at " + quoted(search.outside()) +
+                                ", which lies outside of the project");
+    diagnostic.when(kUncertain);
+    diagnostic.help("add `--allow-outside` to look for it there");
   }
-  search.report();
 }
 
 }  // namespace smurf

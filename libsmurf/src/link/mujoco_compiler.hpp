@@ -24,6 +24,11 @@ bool balances_inertias(const LinkedModel& model);
 /// Whether MuJoCo merges links that fixed joints connect into one body. It does so by default.
 bool fuses_fixed_links(const LinkedModel& model);
 
+// Cases of SML1647: MuJoCo keeps the folder in the path of a mesh since 3.7, unless it is told to
+// strip it.
+inline constexpr Circumstance kLostToNewMujoco{"with its folder"};
+inline constexpr Circumstance kLostToOldMujoco{"without its folder"};
+
 /// Reports meshes that are not in the folder where MuJoCo looks for them.
 void check_meshes_of_mujoco(const LinkedModel& model, const LoadContext& context);
 

@@ -14,10 +14,9 @@ Packages::Packages(LoadContext& context, const LinkedModel& model, FileIndex& in
       index_(index),
       urdf_path_(model.urdf_path),
       is_xacro_(model.language == Language::xacro) {
-  constexpr int kLevels = 8;
   const std::string_view urdf_folder = path::parent(urdf_path_);
   std::string folder = path::normalize(urdf_folder.empty() ? "." : urdf_folder);
-  for (int level = 0; level < kLevels; ++level) {
+  for (int level = 0; level <= kFoldersAbove; ++level) {
     folders_.push_back(folder);
     folder = path::join(folder, "..");
   }
@@ -48,10 +47,10 @@ Packages::Place Packages::find(const std::string& name_and_rest) {
 
 bool Packages::lies_elsewhere(const Place& place, const std::string& name_and_rest) {
   if (place.is_given || place.is_guess) return false;
-  constexpr std::size_t kLevelsOfBullet = 5;  // the folder of the URDF and four above it
-  for (std::size_t level = 0; level < kLevelsOfBullet; ++level) {
-    if (index_.exists(path::join(folders_[level], name_and_rest))) return false;
-  }
+  const auto holds_it = [&](const std::string& folder) {
+    return index_.exists(path::join(folder, name_and_rest));
+  };
+  if (std::any_of(folders_.begin(), folders_.end(), holds_it)) return false;
   // In memory, the outermost folder has no name.
   const std::string_view rest = std::string_view(name_and_rest).substr(name_and_rest.find('/') + 1);
   if (!place.path.ends_with(rest)) return false;  // `..` in it

@@ -13,6 +13,10 @@
 
 namespace smurf {
 
+/// How many folders above the URDF are searched for a file. Bullet and Isaac's converter look in
+/// all of them (PyBullet 3.2.7 and urdf-usd-converter 0.3.4, run with ten).
+constexpr int kFoldersAbove = 7;
+
 class Packages {
  public:
   Packages(LoadContext& context, const LinkedModel& model, FileIndex& index);
@@ -23,7 +27,7 @@ class Packages {
     /// Whether the file was found in a folder above the URDF that does not have the name.
     bool is_guess = false;
     std::string package{};  ///< then the name in that folder's package.xml
-    /// Whether the folder of the URDF and the four above it have no file NAME/REST.
+    /// Whether neither the folder of the URDF nor one of kFoldersAbove has a file NAME/REST.
     bool is_elsewhere = false;
   };
   /// The file for NAME/REST. It is looked up in the folder given for the package; then in the

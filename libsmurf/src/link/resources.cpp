@@ -76,6 +76,8 @@ class Resolver {
     constexpr std::string_view kFile = "file://";
     if (filename.starts_with("package:///"))
       return find_upward(filename.substr(kPackage.size() + 1));
+    if (filename.starts_with(kPackage) && filename.find('/', kPackage.size()) == std::string::npos)
+      return find_upward(filename.substr(kPackage.size()));
     constexpr std::string_view kModel = "model://";
     if (filename.starts_with(kModel)) {  // folders of models are searched like packages
       Packages::Place place = packages_.find(filename.substr(kModel.size()));
@@ -98,11 +100,11 @@ class Resolver {
     return path::join(urdf_folder_, filename);
   }
 
-  /// A file from the folder of the URDF or one above it, where Bullet looks for `package:///PATH`.
+  /// A file from the folder of the URDF or one above it, where Bullet looks for `package:///PATH`
+  /// and `package://FILE`.
   std::string find_upward(const std::string& path) {
-    constexpr int kMostAbove = 4;
     std::string folder = urdf_folder_;
-    for (int level = 0; level <= kMostAbove; ++level) {
+    for (int level = 0; level <= kFoldersAbove; ++level) {
       std::string there = path::join(folder, path);
       if (!path.empty() && index_.exists(there)) return there;
       folder = path::join(folder, "..");
@@ -123,14 +125,15 @@ class Resolver {
     return other && index_.exists(*other) ? *other : std::string();
   }
 
-  /// Only for the first missing files, because a robot may name a hundred thousand.
+  /// Similar names are looked for only for the first missing files, because a robot may name a
+  /// hundred thousand.
   std::string find_meant(const MeshReference& reference) {
     constexpr int kMostSought = 20;
-    if (reference.path.empty() || sought_ == kMostSought) return {};
+    if (reference.path.empty()) return {};
+    if (std::string there = find_from_above(reference.filename); !there.empty()) return there;
+    if (sought_ == kMostSought) return {};
     ++sought_;
-    std::string elsewhere = find_from_above(reference.filename);
-    if (elsewhere.empty()) elsewhere = find_beside(reference);
-    if (!elsewhere.empty()) return elsewhere;
+    if (std::string beside = find_beside(reference); !beside.empty()) return beside;
     const std::string_view name = path::file_name(reference.filename);
     const std::string folder =
         reference.filename.substr(0, reference.filename.size() - name.size());
@@ -143,10 +146,9 @@ class Resolver {
   /// Bullet and Isaac Gym also look in folders above the URDF, so that their files name meshes from
   /// there.
   std::string find_from_above(const std::string& filename) {
-    constexpr int kMostAbove = 4;
     if (is_address(filename) || path::is_absolute(filename)) return {};
     std::string folder = urdf_folder_;
-    for (int level = 0; level < kMostAbove; ++level) {
+    for (int level = 0; level < kFoldersAbove; ++level) {
       folder = path::join(folder, "..");
       const std::string there = path::join(folder, filename);
       if (index_.exists(there)) return path::relative(there, urdf_folder_);

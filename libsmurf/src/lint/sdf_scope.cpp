@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/text/quoted.hpp"
@@ -278,18 +279,25 @@ class Extensions {
         if (has_shape) check_children(child, kind, report_);
       } else if (!is_translated(kind)) {
         const bool is_moved = to_size(*links_[*index]) != *index;
-        if (!(is_moved && has_moved_pose(child))) element(child, "link");
+        is_moved ? moved_element(child) : element(child, "link");
         parts_[to_size(*links_[*index])].push_back(child);
       }
     }
   }
 
-  /// sdformat writes these poses again where it joins links, whatever they were.
-  static bool has_moved_pose(xml::View part) {
-    if (part.name() != "sensor" && part.name() != "projector") return false;
-    const xml::View pose = part.child("pose");
-    return pose && pose.attribute("relative_to") == nullptr &&
-           pose.attribute("rotation_format") != nullptr;
+  /// In a link that sdformat joins with another, it writes the first pose of a sensor or projector
+  /// again, whatever it was (libsdformat 12.3, run).
+  void moved_element(xml::View part) {
+    const bool has_moved_pose = part.name() == "sensor" || part.name() == "projector";
+    const xml::View pose = has_moved_pose ? part.child("pose") : xml::View();
+    if (!pose || pose.attribute("relative_to") != nullptr) return element(part, "link");
+    const Span moved = pose.span();
+    const Report report = [&](Span place, std::string message) -> Diagnostic& {
+      Diagnostic& found = report_(place, std::move(message));
+      if (moved.begin <= place.begin && place.end <= moved.end) found.when(kMovedPose);
+      return found;
+    };
+    check_element(part, part.name(), report);
   }
 
   bool is_kept(JointIndex joint) const {

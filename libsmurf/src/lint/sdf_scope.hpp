@@ -7,6 +7,9 @@
 
 namespace smurf::sdf {
 
+/// The pose of a sensor or projector in a link that sdformat joins with another.
+inline constexpr Circumstance kMovedPose{"pose that Gazebo writes again"};
+
 /// Reports what sdformat refuses in the extensions, but not the values that it translates.
 void check_extensions(const LinkedModel& model, const Report& report);
 

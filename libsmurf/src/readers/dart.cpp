@@ -11,7 +11,8 @@ constexpr Fact kUnread[] = {
     {&dart, Effect::ignores, "does not open textures", kRun, at("texture/@filename")},
 };
 
-constexpr std::string_view kBasis = "6.12.1 (Debian 12), executed";
+constexpr std::string_view kBasis =
+    "6.12.1 (Debian 12), executed, with the folders of the packages given";
 constexpr ReaderVersion kIn612[] = {{&dart, {6, 12, 1}}, {&urdfdom, {3, 0, 1}}};
 constexpr Reader kDart612{
     .name = "dart:6.12", .title = "DART 6.12", .basis = kBasis, .like = &dart, .parts = kIn612};

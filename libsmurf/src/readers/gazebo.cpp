@@ -47,20 +47,25 @@ class Sight {
  private:
   using Place = std::vector<PlaceName>;
 
+  bool is_merged(std::size_t link) const { return links_[link] && to_size(*links_[link]) != link; }
+
   void see_joint(std::size_t index, const Place& place, Diagnostic& finding) const {
     const auto child = model_.tree.joint_child[index];
     if (!child) return;
     const auto above = model_.tree.parent_joint[to_size(*child)];
-    if (is_dropped_[to_size(*child)] && above && to_size(*above) == index) {
+    const bool is_above = above && to_size(*above) == index;
+    // The joint of merged links has no name any more.
+    const bool is_about_name = finding.rule == &rules::sml1307_reserved_name;
+    if (is_above &&
+        (is_dropped_[to_size(*child)] || (is_about_name && is_merged(to_size(*child))))) {
       finding.when(kDroppedByGazebo);
     }
     see_number(to_size(*child), place, finding);
   }
 
   void see_link(std::size_t link, const Place& place, Diagnostic& finding) {
-    const bool is_merged = links_[link] && to_size(*links_[link]) != link;
     const bool is_about_name = finding.rule == &rules::sml1307_reserved_name;
-    if (is_about_name && (is_merged || is_dropped_[link])) finding.when(kDroppedByGazebo);
+    if (is_about_name && (is_merged(link) || is_dropped_[link])) finding.when(kDroppedByGazebo);
     if (contains(place, at("inertial/inertia"))) {
       if (near_zero_.empty()) near_zero_ = near_zero_together(model_);
       if (near_zero_[link]) finding.when(kUncertain);

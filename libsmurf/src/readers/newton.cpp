@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/findings/cases.hpp"
+#include "base/findings/file_cases.hpp"
 #include "base/findings/rules.hpp"
 #include "readers/circumstances.hpp"
 #include "readers/rigid_bodies.hpp"
@@ -44,6 +45,9 @@ constexpr FamilyFact kFamilies[] = {
       kRun}},
     {sml1009_xacro_residue, {&newton, changes, "uses the text literally", kRun, at("@name")}},
     {sml1009_xacro_residue, {&newton, changes, "uses the text literally", kRun, at("@joint")}},
+    {sml1009_xacro_residue,
+     {&newton, refuses, "refuses a URI that is not absolute", kRun,
+      at("@filename").when(cases::kUnexpandedUri)}},
     {sml1009_xacro_residue, newton_without_mesh(at("mesh/@filename"))},
     {sml1009_xacro_residue,
      {&newton, loses, "leaves the texture out", kRun, at("texture/@filename")}},
@@ -58,6 +62,8 @@ constexpr FamilyFact kFamilies[] = {
      {&newton, takes, "skips the document type", kRun, when(cases::kDeclarations)}},
     {sml1013_dtd_or_xinclude, {&newton, refuses, "refuses an entity that it does not know", kRun}},
     {sml1014_xml_missing_blank, {&newton, refuses, kNotXml, kRun}},
+    {sml1015_xml_late_instruction,
+     {&newton, refuses, kNotXml, kRun, when(cases::kLateDeclaration)}},
     {sml1015_xml_late_instruction, {&newton, takes, "skips the instruction", kRun}},
     {sml1017_xml_less_than_in_value, {&newton, refuses, kNotXml, kRun}},
     // Elements and attributes

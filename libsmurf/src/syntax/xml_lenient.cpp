@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/findings/cases.hpp"
+#include "base/findings/file_cases.hpp"
 #include "base/findings/rules.hpp"
 #include "base/findings/uncertain.hpp"
 #include "base/text/quoted.hpp"
@@ -81,6 +82,12 @@ void report_second_root(Span place, std::string_view name, Span first, Diagnosti
   diagnostic.label(first, "the root element");
   // Such an element was a part of the first one, which is not whole without it.
   if (is_one_of(name, {"link", "joint"})) diagnostic.when(kUncertain);
+}
+
+void report_late_instruction(Span place, std::string_view text, DiagnosticSink& sink) {
+  Diagnostic& found = sink.report(rules::sml1015_xml_late_instruction, place,
+                                  "this processing instruction is not at the start of the file");
+  if (text.starts_with("<?xml ")) found.when(cases::kLateDeclaration);
 }
 
 void report_missing_blank(Span place, std::string_view name, DiagnosticSink& sink) {

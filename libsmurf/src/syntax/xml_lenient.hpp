@@ -32,6 +32,7 @@ void report_no_element(Span place, std::string_view text, const Circumstance& fa
 void report_second_declaration(Span place, DiagnosticSink& sink);
 void report_second_root(Span place, std::string_view name, Span first, DiagnosticSink& sink);
 /// Nothing separates the attribute from the one before it.
+void report_late_instruction(Span place, std::string_view text, DiagnosticSink& sink);
 void report_missing_blank(Span place, std::string_view name, DiagnosticSink& sink);
 void report_missing_quotes(Span value, std::string_view name, DiagnosticSink& sink);
 void report_less_than(Span place, DiagnosticSink& sink);

@@ -188,8 +188,7 @@ class XmlScanner {
       return;
     }
     if (is_prolog_) return check_xml_version(span(begin, at_), text_, sink_);
-    sink_.report(rules::sml1015_xml_late_instruction, span(begin, at_),
-                 "this processing instruction is not at the start of the file");
+    report_late_instruction(span(begin, at_), text_.substr(begin), sink_);
   }
 
   void end_tag() {

@@ -11,6 +11,8 @@ constexpr Fact kFacts[] = {
      "urdfdom, sdformat, DART, MuJoCo, run", when(cases::kSecond)},
     {&readers::urdfdom, Effect::takes, "skips blanks", kRun, when(cases::kBlanks)},
     {&readers::mujoco, Effect::takes, "skips blanks", kRun, when(cases::kBlanks)},
+    {&readers::drake, Effect::takes, "skips blanks", kRun, when(cases::kBlanks)},
+    {&readers::pybullet, Effect::takes, "skips blanks", kRun, when(cases::kBlanks)},
     {&readers::phobos, Effect::refuses, "refuses the file", "expat, lxml, run"},
 };
 

@@ -33,6 +33,7 @@ constexpr Fact kFacts[] = {
     urdfdom_drops_shapes(at("link")),
     {&readers::pybullet, Effect::loses,
      "ignores the element, so everything it would expand to is missing", kRun, at("xacro:")},
+    {&readers::pybullet, Effect::loses, "does without a texture", kRun, at("texture/@filename")},
     {&readers::pybullet, Effect::refuses, "finds no file of that name, and refuses the robot", kRun,
      at("@filename")},
     {&readers::pybullet, Effect::refuses, "finds no link of that name", kRun, at("@link")},

@@ -12,6 +12,8 @@ constexpr Fact kFacts[] = {
     {&readers::urdfdom, Effect::takes, "skips the declarations", "4.0.1, run",
      when(cases::kDeclarations)},
     {&readers::mujoco, Effect::takes, "skips the declarations", kRun, when(cases::kDeclarations)},
+    {&readers::pybullet, Effect::changes,
+     "skips the declarations, and reads their entities as text", kRun, when(cases::kDeclarations)},
 };
 
 }  // namespace

@@ -7,14 +7,22 @@
 namespace smurf::rules::sml1437_mimic_type_file {
 namespace {
 
+/// Neither the joint nor its leader moves.
+constexpr Circumstance kBothFixed{"both fixed"};
+
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot) return;
   for (std::uint32_t i = 0; i < model.robot->joints.size(); ++i) {
     const urdf::Joint& joint = model.robot->joints[i];
     if (!joint.mimic || joint.type == urdf::JointType::unknown) continue;
     if (!joint.has_one_axis()) {
-      findings.report(tag_name(model, joint.mimic->element),
-                      title(joint) + " is " + *joint.type_name + ", so it cannot mimic");
+      Diagnostic& finding =
+          findings.report(tag_name(model, joint.mimic->element),
+                          title(joint) + " is " + *joint.type_name + ", so it cannot mimic");
+      const auto leader = mimic_leader(model, i);
+      const bool are_fixed = joint.type == urdf::JointType::fixed && leader &&
+                             model.robot->joints[*leader].type == urdf::JointType::fixed;
+      if (are_fixed) finding.when(kBothFixed);
       continue;
     }
     const auto index = mimic_leader(model, i);
@@ -31,6 +39,8 @@ void check(const LinkedModel& model, Findings& findings) {
 constexpr Fact kFacts[] = {
     {&readers::drake, Effect::ignores, "ignores mimic in a floating joint", kRun,
      when(kInFloating)},
+    {&readers::drake, Effect::ignores, "couples two joints that do not move", kRun,
+     when(kBothFixed)},
     {&readers::drake, Effect::refuses, "refuses to couple joints of different degrees of freedom",
      kRun},
 };

@@ -7,6 +7,9 @@
 namespace smurf::rules::sml1443_transmission_joint_unknown_file {
 namespace {
 
+/// Drake reads transmissions of one type only.
+constexpr Circumstance kNotSimple{"not a SimpleTransmission"};
+
 void check(const LinkedModel& model, Findings& findings) {
   const auto drake_joints = drake::names_in(drake::own_joints(model), "name");
   for (const Reference& one : findings.answers().doubtful_references()) {
@@ -18,7 +21,9 @@ void check(const LinkedModel& model, Findings& findings) {
     if (lacks_dollar) continue;
     Diagnostic* diagnostic =
         check_reference(model, NameKind::joint, one.name, one.span, "a transmission", findings);
-    if (diagnostic == nullptr || !drake_joints.contains(one.name)) continue;
+    if (diagnostic == nullptr) continue;
+    if (!drake::is_simple(joint.parent())) diagnostic->when(kNotSimple);
+    if (!drake_joints.contains(one.name)) continue;
     diagnostic->when(drake::kDrakeJoint);
     diagnostic->note(drake::kJointNote);
   }
@@ -29,6 +34,8 @@ constexpr Fact kFacts[] = {
      "ros_control finds no joint for its actuator and does not start the controller",
      "ros_control, read"},
     {&readers::drake, Effect::takes, "knows the joint", kRun, when(drake::kDrakeJoint)},
+    {&readers::drake, Effect::ignores, "ignores a transmission of this type", kRun,
+     when(kNotSimple)},
     {&readers::drake, Effect::refuses, "refuses the file", kRun},
 };
 

@@ -115,6 +115,8 @@ constexpr Fact kFacts[] = {
      when(kSlip)},
     {&readers::gazebo, Effect::refuses,
      "refuses the file unless it finds such a model in its own paths", kRun, when(kUncertain)},
+    {&readers::gazebo, Effect::changes, "joins the link with another, and writes a pose of its own",
+     kRun, when(sdf::kMovedPose)},
     {&readers::gazebo, Effect::refuses, "refuses the file", kRun},
 };
 

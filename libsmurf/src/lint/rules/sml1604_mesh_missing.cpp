@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "base/files/path.hpp"
 #include "base/findings/cases.hpp"
@@ -9,6 +10,7 @@
 #include "base/text/suggest.hpp"
 #include "base/text/words.hpp"
 #include "link/mujoco_compiler.hpp"
+#include "link/packages.hpp"
 #include "lint/geometry_queries.hpp"
 #include "lint/mesh_queries.hpp"
 #include "readers/circumstances.hpp"
@@ -59,7 +61,7 @@ bool is_found_from_above(const MeshReference& mesh, const LinkedModel& model) {
   const std::string folder(path::parent(model.urdf_path));
   const std::string meant = path::join(folder, mesh.meant);
   std::string above = folder;
-  for (int level = 0; level < 4; ++level) {
+  for (int level = 0; level < kFoldersAbove; ++level) {
     above = path::join(above, "..");
     if (path::join(above, mesh.filename) == meant) return true;
   }
@@ -138,7 +140,8 @@ void check(const LinkedModel& model, Findings& findings) {
   }
   using Uses = std::vector<const MeshReference*>;
   std::map<std::string_view, Uses> lost_packages;
-  std::map<std::pair<std::string_view, PathFault>, Uses> lost_folders;
+  // Bullet finds some of the files of a folder, and refuses the robot for the others.
+  std::map<std::tuple<std::string_view, PathFault, bool>, Uses> lost_folders;
   std::set<std::string_view> seen;
   for (const MeshReference* mesh : collisions_first(model)) {
     const PathFault fault = path_fault(*mesh);
@@ -151,7 +154,7 @@ void check(const LinkedModel& model, Findings& findings) {
     } else if (mesh->path.empty() || found.contains(folder)) {
       report_file(*mesh, model, 0, findings);
     } else {
-      lost_folders[{folder, fault}].push_back(mesh);
+      lost_folders[{folder, fault, is_found_from_above(*mesh, model)}].push_back(mesh);
     }
   }
   for (const auto& [package, uses] : lost_packages) report_package(uses, package, model, findings);

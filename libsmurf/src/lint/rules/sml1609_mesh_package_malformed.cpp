@@ -26,6 +26,9 @@ constexpr Circumstance kInFolder{"found in the folder of the URDF"};
 /// The name of a package without a file, or nothing.
 constexpr Circumstance kBare{"no file"};
 
+/// Such a name has an extension, so it is no folder.
+constexpr Circumstance kFileName{"name of a file"};
+
 bool are_all(const std::vector<PathUses>& paths, bool (*is_one)(const MeshReference&)) {
   return std::all_of(paths.begin(), paths.end(),
                      [&](const PathUses& path) { return is_one(path.first()); });
@@ -43,6 +46,7 @@ void check(const LinkedModel& model, Findings& findings) {
   const bool are_found = are_all(paths, [](const MeshReference& one) { return one.exists; });
   if (are_found) diagnostic.when(kFound);
   if (first == "package://" || !package_of(first).empty()) diagnostic.when(kBare);
+  if (first.find('.') != std::string_view::npos) diagnostic.when(kFileName);
   if (are_found && are_all(paths, [](const MeshReference& one) { return one.lies_beside; })) {
     diagnostic.when(kInFolder);
   }
@@ -67,9 +71,11 @@ constexpr Fact kFacts[] = {
      at("texture")},
     {&readers::isaac, Effect::refuses, "refuses the address of a texture", kRun,
      at("texture").when(kBare)},
+    newton_without_mesh(when(kBare, kFileName)),
     {&readers::newton, Effect::refuses, "opens the folder, and refuses the file", kRun,
      when(kBare)},
     newton_without_mesh(),
+    isaac_without_mesh(when(kBare)),
     {&readers::isaac, Effect::takes, "looks for the rest of the path in the folders above the URDF",
      kRun, when(kFound)},
     isaac_without_mesh(),

@@ -12,6 +12,8 @@ constexpr Circumstance kModel{"model"};
 constexpr Circumstance kNetwork{"of the network"};
 constexpr Circumstance kFound{"found"};
 constexpr Circumstance kAbsolute{"absolute"};  ///< `file:///...`
+/// `file:///$(find PACKAGE)/...`, expanded
+constexpr Circumstance kFourSlashes{"four slashes"};
 
 bool has_foreign_scheme(std::string_view path) {
   return path.find("://") != std::string_view::npos && !path.starts_with("package://");
@@ -34,6 +36,7 @@ void report(const MeshReference& reference, Findings& findings) {
   if (reference.filename.starts_with("http")) finding.when(kNetwork);
   if (is_found) finding.when(kFound);
   if (is_absolute) finding.when(kAbsolute);
+  if (reference.filename.starts_with("file:////")) finding.when(kFourSlashes);
   if (!reference.exists || !is_absolute) return;
   // Where `$(find PACKAGE)` stands behind it in a xacro, only these two readers mind.
   finding.severity = is_found ? Severity::info : Severity::warning;
@@ -93,6 +96,8 @@ constexpr Fact kFacts[] = {
      when(kFound)},
     {&readers::pinocchio, Effect::refuses, "does not find the mesh, and refuses the shapes", kRun},
     newton_without_mesh(when(kModel)),
+    {&readers::newton, Effect::refuses, "refuses a URI with four slashes", kRun,
+     when(kFourSlashes)},
     {&readers::newton, Effect::takes, "opens the file", kRun, kOpened},
     newton_without_mesh(when(kAbsolute)),
     {&readers::newton, Effect::refuses,

@@ -51,6 +51,8 @@ constexpr Fact kFacts[] = {
     {&readers::mars, Effect::takes, "reads it", "MARS gui_helper_functions.cpp", when(kBobj)},
     {&readers::dart, Effect::takes, "reads it", kRun, when(kOfAssimp)},
     {&readers::dart, Effect::refuses, "cannot load the shape, and refuses the file", kRun},
+    {&readers::pinocchio, Effect::takes, "reads it", "Pinocchio 4.1.0, run with .off",
+     when(kOfAssimp)},
     {&readers::pinocchio, Effect::refuses, "cannot load the mesh, and refuses the shapes", kRun},
 };
 

@@ -73,8 +73,8 @@ constexpr std::string_view kShowsNothing = "finds no such package: RViz and Move
 constexpr Fact kFacts[] = {
     {&readers::ros, Effect::loses, kShowsNothing, "resource_retriever, by the name in package.xml",
      when(kOtherName)},
-    {&readers::ros, Effect::refuses, "looks for the package in other folders",
-     "package folders depend on the machine", when(kUncertain)},
+    {&readers::ros, Effect::loses, "shows nothing, unless another folder holds the package",
+     "urdfdom opens no meshes, run; package folders depend on the machine"},
     {&readers::dart, Effect::refuses, "finds only packages whose folders it was given", kRun},
     {&readers::gazebo, Effect::loses, "finds no such package, and shows nothing",
      "sdformat keeps the address unchecked", when(kOtherName)},

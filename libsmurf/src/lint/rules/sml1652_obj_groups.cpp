@@ -31,8 +31,8 @@ void check(const LinkedModel& model, Findings& findings) {
 
 constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::refuses,
-     "reads the faces of the first group only, finds no volume, and refuses the model", kRun,
-     when(kFlat)},
+     "reads the faces of the first group only, finds no volume, and refuses the model",
+     "3.3.7, run; 3.1.6 loads it", when(kFlat).since({3, 3})},
     {&readers::mujoco, Effect::changes,
      "reads the faces of the first group only: its volume and inertia are wrong", kRun},
 };

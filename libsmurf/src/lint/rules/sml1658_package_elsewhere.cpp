@@ -8,6 +8,8 @@ namespace {
 
 /// The URDF does not lie in the package.
 constexpr Circumstance kOutside{"outside"};
+/// The package is in a folder of its name.
+constexpr Circumstance kOwnName{"folder of its name"};
 constexpr std::string_view kScheme = "package://";
 
 /// The folder of the package of a file that was found.
@@ -31,6 +33,7 @@ void check(const LinkedModel& model, Findings& findings) {
         "such files");
     finding.caret = "its package is in the folder " + quoted(folder);
     if (!lies_in(model, folder)) finding.when(kOutside);
+    if (path::file_name(folder) == package_of(mesh.filename)) finding.when(kOwnName);
   }
 }
 
@@ -38,6 +41,8 @@ constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::refuses,
      "looks for the name of the package in the folders above the URDF, and refuses the robot", kRun,
      at("mesh")},
+    {&readers::pinocchio, Effect::takes, "finds it, if it is given the folder around the package",
+     kRun, when(kOwnName)},
     {&readers::pinocchio, Effect::refuses,
      "looks for a folder of the name of the package, and refuses the shapes", kRun, at("mesh")},
     newton_without_mesh(at("mesh")),

@@ -15,6 +15,9 @@ constexpr std::string_view kComputes = "reads the number, and computes with it";
 
 constexpr std::string_view kComputesStill = "computes with it where nothing moves";
 
+constexpr std::string_view kTooSmall =
+    "refuses so small a moment, or a product that it cannot turn into moments";
+
 constexpr Fact kFacts[] = {
     {&readers::dart, Effect::crashes, kAsserts, kRun,
      at("box/@size").when(cases::kUnderflow).before({6, 20})},
@@ -62,6 +65,14 @@ constexpr Fact kFacts[] = {
      "4.0.0, run", at("mass/@value").when(cases::kUnderflow, kAlone).since({4, 0})},
     {&readers::mujoco, Effect::changes, "reads 0", "4.0.0, run",
      when(cases::kUnderflow).since({4, 0})},
+    {&readers::mujoco, Effect::refuses, kTooSmall, "4.0.0, run",
+     at("inertia/@").when(cases::kSubnormal).since({4, 0})},
+    {&readers::mujoco, Effect::refuses, "refuses a moving body of so small a mass", "4.0.0, run",
+     at("mass/@value").when(cases::kSubnormal, kAlone).since({4, 0})},
+    {&readers::mujoco, Effect::refuses, kCannotRead, "4.0.0, run",
+     at("mesh/@scale").when(cases::kSubnormal).since({4, 0})},
+    {&readers::mujoco, Effect::takes, "reads the number", "4.0.0, run",
+     when(cases::kSubnormal).since({4, 0})},
     {&readers::mujoco, Effect::changes, kComputesStill, kRun,
      at("inertial/origin/@xyz").when(cases::kTooLarge, kCarried, kStill)},
     {&readers::mujoco, Effect::changes, kComputesStill, kRun,

@@ -2,8 +2,6 @@
 #include <map>
 
 #include "base/findings/readers.hpp"
-#include "base/findings/uncertain.hpp"
-#include "base/ranges.hpp"
 #include "link/mujoco_compiler.hpp"
 #include "lint/geometry_queries.hpp"
 #include "readers/circumstances.hpp"
@@ -11,17 +9,8 @@
 namespace smurf::rules::sml1912_mesh_package_uri_unread_file {
 namespace {
 
-bool is_of_package(const MeshReference& mesh) { return mesh.filename.starts_with("package://"); }
-
-/// The folders of all packages were named, as programs that use DART do.
-constexpr Circumstance kGiven{"given package"};
-
 void check(const LinkedModel& model, Findings& findings) {
   std::map<GeometryRole, std::vector<Span>> uses;
-  const bool are_given = ranges::any_of(model.meshes, is_of_package) &&
-                         !ranges::any_of(model.meshes, [](const MeshReference& mesh) {
-                           return is_of_package(mesh) && !mesh.is_package_given;
-                         });
   for_each_geometry(model, [&](const GeometryUse& use) {
     if (use.mesh() == nullptr || !use.mesh()->filename) return;
     if (!use.mesh()->filename->starts_with("package://")) return;
@@ -31,11 +20,6 @@ void check(const LinkedModel& model, Findings& findings) {
     const std::string what = std::string(to_string(role));
     Diagnostic& diagnostic =
         findings.report(places.front(), "the mesh of a " + what + " is named by `package://`");
-    if (are_given) {
-      diagnostic.when(kGiven);
-    } else {
-      diagnostic.when(kUncertain);
-    }
     if (places.size() > 1) {
       diagnostic.note("the same applies to those of " + std::to_string(places.size() - 1) +
                       " more " + what + (places.size() > 2 ? "s" : ""));
@@ -59,10 +43,8 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::takes, "looks in the folder that its element `compiler` names", kRun,
      when(kElsewhere)},
     {&readers::mujoco, Effect::refuses, "treats `package://` as a part of the path", kRun},
-    {&readers::dart, Effect::takes, "finds packages whose folders it was given", kRun,
-     when(kGiven)},
-    {&readers::dart, Effect::refuses, "finds only packages whose folders it was given", kRun,
-     when(kUncertain)},
+    {&readers::dart, Effect::takes,
+     "finds packages whose folders it was given, as programs that use it do", kRun},
 };
 
 }  // namespace

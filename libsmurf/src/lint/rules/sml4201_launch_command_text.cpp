@@ -24,7 +24,7 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::ros, Effect::refuses,
+    {&readers::ros, Effect::breaks,
      "ends the launch: it cannot parse the value of robot_description as YAML",
      "launch_ros evaluate_parameters.py, read; PyYAML 6, run"},
 };

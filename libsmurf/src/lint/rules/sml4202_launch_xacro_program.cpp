@@ -28,7 +28,7 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::ros, Effect::refuses, "ends the launch: there is no robot_description",
+    {&readers::ros, Effect::breaks, "ends the launch: there is no robot_description",
      "xacro setup.py and cli.py (2.1.1, run); launch substitutions/command.py"},
 };
 

@@ -64,7 +64,7 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::ros, Effect::refuses, "ends the launch: xacro misses the argument",
+    {&readers::ros, Effect::breaks, "ends the launch: xacro misses the argument",
      "xacro 2.1.1, run", when(kMissing)},
     {&readers::ros, Effect::loses, "makes the robot with the default instead", "xacro 2.1.1, run"},
 };

@@ -41,9 +41,9 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::ros, Effect::refuses, "ends the launch: there is no robot_description",
+    {&readers::ros, Effect::breaks, "ends the launch: there is no robot_description",
      "xacro 2.1.1, run", when(kRobot)},
-    {&readers::ros, Effect::refuses, "ends the launch, or the node that gets the path",
+    {&readers::ros, Effect::breaks, "ends the launch, or the node that gets the path",
      "launch launch_description_sources, rcl parse.c"},
 };
 

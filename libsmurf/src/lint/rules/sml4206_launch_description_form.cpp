@@ -54,11 +54,11 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::ros, Effect::refuses, "gives robot_state_publisher macros instead of links: it ends",
+    {&readers::ros, Effect::breaks, "gives robot_state_publisher macros instead of links: it ends",
      "robot_state_publisher.cpp, branches humble and rolling", when(kMacros)},
-    {&readers::ros, Effect::refuses, "cannot read the robot: robot_state_publisher ends",
+    {&readers::ros, Effect::breaks, "cannot read the robot: robot_state_publisher ends",
      "robot_state_publisher.cpp, branches humble and rolling", when(kPath)},
-    {&readers::ros, Effect::refuses, "ends robot_state_publisher: robot_description is empty",
+    {&readers::ros, Effect::breaks, "ends robot_state_publisher: robot_description is empty",
      "robot_state_publisher.cpp, branches humble and rolling", when(kName)},
 };
 

@@ -93,7 +93,7 @@ constexpr Fact kFacts[] = {
      when(kTwice)},
     {&readers::ros, Effect::changes, "names the frames `PREFIXLINK`", "robot_state_publisher.cpp",
      when(kPrefix)},
-    {&readers::ros, Effect::refuses, "ends the launch: the executable is not found",
+    {&readers::ros, Effect::breaks, "ends the launch: the executable is not found",
      "launch_ros actions/node.py"},
 };
 

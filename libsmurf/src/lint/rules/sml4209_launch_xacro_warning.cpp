@@ -28,7 +28,7 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::ros, Effect::refuses, "ends the launch: the command wrote to its error output",
+    {&readers::ros, Effect::breaks, "ends the launch: the command wrote to its error output",
      "launch substitutions/command.py; xacro __init__.py (2.1.1, run)"},
 };
 

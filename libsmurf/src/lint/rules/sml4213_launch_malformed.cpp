@@ -17,7 +17,7 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::ros, Effect::refuses, "cannot read the launch file, and starts nothing",
+    {&readers::ros, Effect::breaks, "cannot read the launch file, and starts nothing",
      "launch_xml and launch_yaml parser.py, read; ElementTree, PyYAML and ast of CPython 3.11, run"},
 };
 

@@ -19,7 +19,7 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::ros, Effect::refuses, "ends the launch: the package is not found",
+    {&readers::ros, Effect::breaks, "ends the launch: the package is not found",
      "ament_index_python packages.py, launch_ros find_package.py"},
 };
 

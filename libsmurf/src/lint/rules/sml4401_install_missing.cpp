@@ -72,9 +72,9 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::ros, Effect::refuses, "does not build the package", "CMake; setuptools",
+    {&readers::ros, Effect::breaks, "does not build the package", "CMake; setuptools",
      when(kBuild)},
-    {&readers::ros, Effect::refuses, "does not build the package", "ament_package.cmake",
+    {&readers::ros, Effect::breaks, "does not build the package", "ament_package.cmake",
      when(kName)},
     {&readers::ros, Effect::breaks, "does not find the files after `colcon build`",
      "ament_index; resource_retriever"},

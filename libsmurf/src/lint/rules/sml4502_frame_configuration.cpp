@@ -62,7 +62,7 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
 }
 
 constexpr Fact kFacts[] = {
-    {&readers::ros, Effect::refuses, "ends robot_localization: invalid frame configuration",
+    {&readers::ros, Effect::breaks, "ends robot_localization: invalid frame configuration",
      "robot_localization ros_filter.cpp, branch ros2"},
 };
 
