@@ -25,7 +25,7 @@ bool is_missing_comma(const Token& before, const Token& token) {
   const bool ends = is_value(before) ||
                     (before.kind == Token::Kind::sign && is_one_of(before.text, {")", "]", "}"}));
   const bool is_joined = before.kind == Token::Kind::text && token.kind == Token::Kind::text;
-  // `5if` and the like are two tokens without a blank.
+  // `5if` is two tokens without a blank.
   return ends && is_value(token) && !is_joined && before.kind != Token::Kind::number;
 }
 
