@@ -200,7 +200,7 @@ class Companions(Lamp):
 
     def test_launch_files_that_still_name_it_are_listed(self):
         self.write("lamp_moveit_config/launch/demo.launch.py", "# shoulder\nJOINTS = ['shoulder', 'shoulder_2']\n")
-        self.write("lamp_description/launch/show.launch.xml", '<arg default="tip:=shoulder"/>\n')
+        self.write("lamp_description/launch/show.launch.xml", '<launch><arg name="model" default="tip:=shoulder"/></launch>\n')
         self.write("lamp_description/rviz/lamp.rviz", "Visualization Manager:\n  Target: shoulder\n")
         self.write("lamp_moveit_config/launch/tf.launch", '<launch><node args="0 0 0 0 0 0 shoulder lamp"/><node doc="the shoulder of"/></launch>\n')
         done = self.run_tool("--rename", "joint:shoulder=hinge", ".")

@@ -84,6 +84,23 @@ struct LaunchFault {
   std::string message, help;
 };
 
+/// What raises an error when a launch file is executed, and is seen without executing it.
+struct LaunchMistake {
+  enum class Kind : std::uint8_t {
+    word,          ///< an element, attribute or keyword that launch does not have, or lacks
+    type,          ///< a value of another type than launch reads
+    substitution,  ///< `$(...)` that launch cannot read
+    unset,         ///< an argument that nothing sets before it is read
+    value,         ///< a condition that is no boolean, a name that no node can have
+    program,       ///< the name of no program
+  };
+  Kind kind{};
+  Span span;
+  std::string message, help;
+  std::string replacement = {};  ///< of the text at `span`; empty: none is known
+  bool is_doubtful = false;      ///< others may give the argument, or another value
+};
+
 /// A package that a launch file names, that is not here, and whose name is similar to one that is.
 struct LaunchPackage {
   Span span;
@@ -98,6 +115,7 @@ struct LaunchFile {
   std::string path, package;
   bool is_ros1 = false;
   std::optional<LaunchFault> fault;  ///< the first
+  std::vector<LaunchMistake> mistakes;
   std::vector<LaunchNode> nodes;
   std::vector<LaunchPackage> misspelt_packages;
   std::vector<LaunchPath> paths;  ///< that it gives to nodes, includes and functions

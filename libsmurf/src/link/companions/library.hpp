@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "link/companions/kinds.hpp"
+#include "link/surroundings/launch_files.hpp"
 #include "link/surroundings/stated_ties.hpp"
 #include "smurf/file_reader.hpp"
 #include "smurf/linked.hpp"
@@ -63,6 +64,7 @@ class CompanionLibrary {
 
   const std::shared_ptr<CompanionFolders> folders;
   const std::shared_ptr<StatedTies> stated;
+  LaunchLibrary launches;
   std::vector<NearCompanion> near;  ///< set before the first load
   std::set<std::string>
       named_robots;  ///< by identity: those that a user named, set in the same way

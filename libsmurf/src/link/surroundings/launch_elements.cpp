@@ -8,56 +8,27 @@
 #include <utility>
 
 #include "base/text/words.hpp"
+#include "link/surroundings/launch_mistakes.hpp"
 #include "link/surroundings/launch_texts.hpp"
 
 namespace smurf::launch {
 namespace {
-
-/// Substitutions: `$(find-pkg-share P)/urdf/$(var model)`.
-Value substituted(std::string_view text, Span span) {
-  Value value;
-  value.kind = Value::Kind::text;
-  value.span = span;
-  const std::size_t size = text.size();
-  while (!text.empty()) {
-    const std::size_t begin = text.find("$(");
-    if (begin > 0) {
-      value.pieces.push_back({Piece::Kind::literal, std::string(text.substr(0, begin)), span});
-    }
-    if (begin == std::string_view::npos) break;
-    std::size_t end = begin + 2;
-    for (int depth = 1; end < text.size() && depth > 0; ++end) {
-      if (text[end] == '(') ++depth;
-      if (text[end] == ')') --depth;
-    }
-    const std::string_view inner = trimmed(text.substr(begin + 2, end - begin - 3));
-    std::size_t at = 0;
-    const std::string_view word = next_word(inner, at);
-    const std::string rest(trimmed(inner.substr(std::min(at, inner.size()))));
-    Piece piece{Piece::Kind::unknown, rest, span};
-    if (is_one_of(word, {"find-pkg-share", "find"})) {
-      piece.kind = Piece::Kind::share;
-      // Where the name is written, unless entities make the text shorter than its place.
-      const std::size_t name = text.find(rest, begin + 2 + word.size());
-      if (name != std::string_view::npos && span.end - span.begin == size) {
-        piece.span.begin += static_cast<std::uint32_t>(size - text.size() + name);
-        piece.span.end = piece.span.begin + static_cast<std::uint32_t>(rest.size());
-      }
-    }
-    if (is_one_of(word, {"var", "arg"})) piece.kind = Piece::Kind::argument;
-    value.pieces.push_back(std::move(piece));
-    text.remove_prefix(std::min(end, text.size()));
-  }
-  return value;
-}
 
 class ElementReader {
  public:
   ElementReader(const FindLaunchPath& find, LaunchFile& file) : find_(find), file_(file) {}
 
   void run(const Element& root) {
+    const bool was_ros1 = file_.is_ros1;
     declare(root);
     visit(root, false, "");
+    // Words of ROS 1 in a file of ROS 2 are mistakes, unless most of it was left over from ROS 1.
+    const int old = words_of_ros1(root);
+    const bool is_ros2 = file_.form == LaunchFile::Form::yaml ||
+                         (!was_ros1 && file_.path.ends_with(".launch.xml") && old <= 0);
+    if (file_.form == LaunchFile::Form::xml && old > 0) file_.is_ros1 = true;
+    if (is_ros2) file_.is_ros1 = false;
+    if (!file_.is_ros1) find_mistakes(root, texts_, file_);
   }
 
  private:
@@ -70,6 +41,22 @@ class ElementReader {
   }
 
   // The recursions are as deep as the file, whose depth is limited.
+  /// How many attributes only ROS 1 reads, less those that only ROS 2 reads.
+  static int words_of_ros1(const Element& element) {
+    int count = 0;
+    for (const Attribute& one : element.attributes) {
+      const auto has = [&](std::string_view text) {
+        return one.value.find(text) != std::string::npos;
+      };
+      const bool is_old_name = one.name == "pass_all_args" || one.name == "doc" ||
+                               (one.name == "type" && element.attribute("pkg") != nullptr);
+      if (has("$(find ") || has("$(arg ") || is_old_name) ++count;
+      if (has("$(find-pkg-share ") || has("$(var ") || one.name == "exec") --count;
+    }
+    for (const Element& child : element.children) count += words_of_ros1(child);
+    return count;
+  }
+
   void declare(const Element& element) {
     for (const Element& child : element.children) {
       if (child.name != "arg" && child.name != "let") {
@@ -231,6 +218,43 @@ class ElementReader {
 };
 
 }  // namespace
+
+Value substituted(std::string_view text, Span span) {
+  Value value;
+  value.kind = Value::Kind::text;
+  value.span = span;
+  const std::size_t size = text.size();
+  while (!text.empty()) {
+    const std::size_t begin = text.find("$(");
+    if (begin > 0) {
+      value.pieces.push_back({Piece::Kind::literal, std::string(text.substr(0, begin)), span});
+    }
+    if (begin == std::string_view::npos) break;
+    std::size_t end = begin + 2;
+    for (int depth = 1; end < text.size() && depth > 0; ++end) {
+      if (text[end] == '(') ++depth;
+      if (text[end] == ')') --depth;
+    }
+    const std::string_view inner = trimmed(text.substr(begin + 2, end - begin - 3));
+    std::size_t at = 0;
+    const std::string_view word = next_word(inner, at);
+    const std::string rest(trimmed(inner.substr(std::min(at, inner.size()))));
+    Piece piece{Piece::Kind::unknown, rest, span};
+    if (is_one_of(word, {"find-pkg-share", "find"})) {
+      piece.kind = Piece::Kind::share;
+      // Where the name is written, unless entities make the text shorter than its place.
+      const std::size_t name = text.find(rest, begin + 2 + word.size());
+      if (name != std::string_view::npos && span.end - span.begin == size) {
+        piece.span.begin += static_cast<std::uint32_t>(size - text.size() + name);
+        piece.span.end = piece.span.begin + static_cast<std::uint32_t>(rest.size());
+      }
+    }
+    if (is_one_of(word, {"var", "arg"})) piece.kind = Piece::Kind::argument;
+    value.pieces.push_back(std::move(piece));
+    text.remove_prefix(std::min(end, text.size()));
+  }
+  return value;
+}
 
 const Attribute* Element::attribute(std::string_view wanted) const {
   const auto found = std::find_if(attributes.begin(), attributes.end(),

@@ -2,9 +2,14 @@
 // Which files of a package are launch files, and the one way to read them.
 #pragma once
 
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "link/surroundings/launch_reader.hpp"
@@ -29,8 +34,18 @@ std::vector<FoundLaunch> launch_files_of(const std::string& package,
                                          std::initializer_list<std::string_view> folders,
                                          const FileReader& files);
 
-/// Reads a source as the form of `file` says; `fault` says what makes it unreadable.
-void read_launch(const SourceMap& sources, SourceId source, const Limits& limits,
-                 const FindLaunchPath& find, LaunchFile& file);
+/// Launch files as far as they are known without the packages around them, each read once for all
+/// robots of a run. Several threads may use it.
+class LaunchLibrary {
+ public:
+  /// Reads `text`, the content of `path`, as the form says; `fault` says what makes it unreadable.
+  /// The copy has its places in `source`, and `find` has looked at each of its paths.
+  LaunchFile read(const std::string& path, const std::string& text, LaunchFile::Form form,
+                  bool is_ros1, SourceId source, const Limits& limits, const FindLaunchPath& find);
+
+ private:
+  std::mutex mutex_;
+  std::map<std::pair<std::string, bool>, std::unique_ptr<const LaunchFile>> files_;
+};
 
 }  // namespace smurf

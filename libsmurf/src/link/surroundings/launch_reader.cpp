@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/text/words.hpp"
+#include "link/surroundings/launch_mistakes.hpp"
 #include "link/surroundings/launch_texts.hpp"
 #include "link/surroundings/python_calls.hpp"
 
@@ -43,6 +44,7 @@ class PythonLaunch {
       if (name != nullptr) texts_.declare(*name, value);
     }
     for (const Value& call : python.calls) read(call);
+    if (!python.fault) launch::find_mistakes(python, texts_, file_);
     file_.sets_resource_path = file_.sets_resource_path ||
                                text.find("GZ_SIM_RESOURCE_PATH") != std::string_view::npos ||
                                text.find("IGN_GAZEBO_RESOURCE_PATH") != std::string_view::npos ||
@@ -256,7 +258,11 @@ class PythonLaunch {
                inner->callee.find("process_file") != std::string::npos) {
       found.form = LaunchDescription::Form::expanded;
       if (!inner->items.empty()) found.file = path_of(texts_.of(inner->items.front()), find_);
-      mappings(inner->find("mappings"), found);
+      if (const Value* given = inner->find("mappings")) {
+        mappings(given, found);
+      } else {
+        found.has_unknown_words = inner->items.size() > 1;
+      }
     } else if (inner->is_call("open.read") && !inner->items.empty()) {
       found.form = LaunchDescription::Form::content;
       found.file = path_of(texts_.of(inner->items.front()), find_);

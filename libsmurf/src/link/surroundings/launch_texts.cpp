@@ -2,6 +2,7 @@
 #include "link/surroundings/launch_texts.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/files/path.hpp"
 #include "base/text/words.hpp"
@@ -65,12 +66,14 @@ void read_command(const Value& command, const Texts& texts, const FindLaunchPath
                   LaunchDescription& description) {
   description.form = LaunchDescription::Form::command;
   const std::vector<Value> words = words_of(command);
+  bool has_value = false;
   for (const Value& word : words) {
     const LaunchText text = texts.of(word);
     const bool is_first = &word == &words.front();
     const std::string* begin =
         word.pieces.front().kind == Piece::Kind::literal ? &word.pieces.front().text : nullptr;
     const std::size_t equals = begin != nullptr ? begin->find(":=") : std::string::npos;
+    if (std::exchange(has_value, false)) continue;  // of the option before it
     if (is_first) {
       description.program = text;
       description.lacks_blank = begin != nullptr && *begin == "xacro" && word.pieces.size() > 1 &&
@@ -80,11 +83,13 @@ void read_command(const Value& command, const Texts& texts, const FindLaunchPath
       LaunchDescription::Argument argument;
       argument.name = begin->substr(0, equals);
       argument.span = word.pieces.front().span;
-      argument.value = text;
-      argument.value.text = text.text.substr(std::min(equals + 2, text.text.size()));
+      argument.value = texts.of_argument(word);
+      std::string& value = argument.value.text;
+      value = value.substr(std::min(equals + 2, value.size()));
       description.arguments.push_back(std::move(argument));
     } else if (begin != nullptr && begin->starts_with("-")) {
       description.options.insert(*begin);
+      has_value = is_one_of(*begin, {"-o", "--output", "--verbosity"});
     } else if (!description.file) {
       description.file = path_of(text, find);
     } else {

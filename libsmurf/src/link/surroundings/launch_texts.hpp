@@ -21,32 +21,30 @@ class Texts {
  public:
   void declare(const std::string& name, const Value& fallback) {
     const auto [known, is_new] = defaults_.try_emplace(name, fallback);
-    if (!is_new) known->second = Value{};  // declared twice
+    if (is_new) return;
+    // Declared twice, with different defaults.
+    const std::string *first = known->second.literal(), *second = fallback.literal();
+    if (first == nullptr || second == nullptr || *first != *second) known->second = Value{};
   }
 
-  LaunchText of(const Value& value) const {
-    LaunchText text;
-    text.span = value.span;
-    if (!value.is_text()) return text;
-    text.is_known = true;
-    add(value.pieces, 0, text);
-    return text;
-  }
+  LaunchText of(const Value& value) const { return text_of(value, false); }
+  /// The same, where an empty default is a value like others.
+  LaunchText of_argument(const Value& value) const { return text_of(value, true); }
 
   /// Pieces with the defaults of their arguments.
-  std::vector<Piece> resolved(const std::vector<Piece>& pieces, bool& by_default,
+  std::vector<Piece> resolved(const std::vector<Piece>& pieces, bool& by_default, bool keeps_empty,
                               int depth = 0) const {
     std::vector<Piece> all;
     for (const Piece& one : pieces) {
       const auto known =
           one.kind == Piece::Kind::argument ? defaults_.find(one.text) : defaults_.end();
-      if (known == defaults_.end() || !known->second.is_text() || is_empty(known->second) ||
-          depth > 4) {
+      if (known == defaults_.end() || !known->second.is_text() ||
+          (!keeps_empty && is_empty(known->second)) || depth > 4) {
         all.push_back(one);
         continue;
       }
       by_default = true;
-      for (Piece& inner : resolved(known->second.pieces, by_default, depth + 1)) {
+      for (Piece& inner : resolved(known->second.pieces, by_default, keeps_empty, depth + 1)) {
         all.push_back(std::move(inner));
       }
     }
@@ -61,8 +59,12 @@ class Texts {
     });
   }
 
-  void add(const std::vector<Piece>& pieces, int depth, LaunchText& text) const {
-    const std::vector<Piece> all = resolved(pieces, text.by_default, depth);
+  LaunchText text_of(const Value& value, bool keeps_empty) const {
+    LaunchText text;
+    text.span = value.span;
+    if (!value.is_text()) return text;
+    text.is_known = true;
+    const std::vector<Piece> all = resolved(value.pieces, text.by_default, keeps_empty);
     for (const Piece& one : all) {
       if (one.kind == Piece::Kind::literal) {
         text.text += one.text;
@@ -74,6 +76,7 @@ class Texts {
         text.is_known = false;
       }
     }
+    return text;
   }
 
   std::map<std::string, Value> defaults_;

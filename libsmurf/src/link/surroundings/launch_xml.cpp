@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <string>
+
+#include "base/text/quoted.hpp"
 #include "link/surroundings/launch_elements.hpp"
 
 namespace smurf {
@@ -11,7 +14,7 @@ launch::Element element_of(xml::View from) {
   element.span = from.name_span();
   for (const xml::Attribute& one : from.attributes()) {
     element.attributes.push_back(
-        {std::string(one.name()), std::string(one.value()), one.value_span()});
+        {std::string(one.name()), std::string(one.value()), one.value_span(), one.name_span()});
   }
   for (const xml::View child : from) element.children.push_back(element_of(child));
   return element;
@@ -21,7 +24,12 @@ launch::Element element_of(xml::View from) {
 
 void read_xml_launch(const xml::Document& document, const FindLaunchPath& find, LaunchFile& file) {
   const xml::View root = document.view();
-  if (root && root.name() == "launch") launch::read_elements(element_of(root), find, file);
+  if (!root) return;
+  if (root.name() == "launch") return launch::read_elements(element_of(root), find, file);
+  file.mistakes.push_back({LaunchMistake::Kind::word, root.name_span(),
+                           "the first element is " + quoted("<" + std::string(root.name()) + ">") +
+                               ", and launch reads only `<launch>`",
+                           "write `<launch>` and `</launch>`"});
 }
 
 }  // namespace smurf

@@ -149,15 +149,22 @@ class Loader {
     FileContent content = context_.files.read(path, kMostBytes);
     if (content.status != ReadStatus::ok) return;
     if (!needed.empty() && content.text.find(needed) == std::string::npos) return;
-    LaunchFile file;
-    file.path = path::normalize(path);
+    const std::string normal = path::normalize(path);
+    const SourceId source = context_.sources.add(normal, content.text);
+    // A path is often given several times, and looked up once.
+    std::map<std::pair<std::string, std::string>, LaunchPath> seen;
+    const FindLaunchPath find = [&](LaunchPath& one) {
+      if (!one.text.is_known || one.text.package.empty()) return;
+      const auto [known, is_new] = seen.try_emplace({one.text.package, one.text.text}, one);
+      if (is_new) look_up(known->second, package, content.text);
+      LaunchText text = std::move(one.text);
+      one = known->second;
+      one.text = std::move(text);
+    };
+    const bool is_ros1 = form == LaunchFile::Form::xml && !package.is_ament;
+    LaunchFile file = search_of(context_).companions->launches.read(
+        normal, content.text, form, is_ros1, source, context_.limits, find);
     file.package = package.name;
-    file.form = form;
-    const SourceId source = context_.sources.add(file.path, std::move(content.text));
-    const std::string_view text = context_.sources.text(source);
-    const FindLaunchPath find = [&](LaunchPath& one) { look_up(one, package, text); };
-    file.is_ros1 = form == LaunchFile::Form::xml && !package.is_ament;
-    read_launch(context_.sources, source, context_.limits, find, file);
     const std::string robot = context_.files.identity(model_.urdf_path);
     const auto mark = [&](LaunchDescription& one) {
       one.is_of_robot =

@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 
 #include "base/text/words.hpp"
+#include "link/surroundings/python_names.hpp"
 #include "link/surroundings/python_tokens.hpp"
 
 namespace smurf::python {
@@ -39,6 +41,7 @@ class Reader {
     tokens_.back().span = {source, static_cast<std::uint32_t>(text.size()),
                            static_cast<std::uint32_t>(text.size())};
     count_assignments();
+    note_names(tokens_, file_);
   }
 
   File run() {
@@ -60,6 +63,10 @@ class Reader {
     if (!is(sign)) return false;
     ++at_;
     return true;
+  }
+  /// The tokens that were read since `begin`.
+  std::span<const Token> tokens_from(std::size_t begin) const {
+    return std::span(tokens_).subspan(begin, at_ - begin);
   }
   bool is_end() const {
     return peek().kind == Token::Kind::line || peek().kind == Token::Kind::end;
@@ -180,12 +187,14 @@ class Reader {
 
   /// Texts with `+` and paths with `/` between them.
   Value sum(int depth) {
+    const Span place = peek().span;
     Value left = operand(depth);
     while (is("+") || is("/") || is("%") || is("-") || is("*")) {
       const std::string_view sign = peek().text;
       ++at_;
       Value right = operand(depth);
       if (sign == "+" && is_textual(left) && is_textual(right)) {
+        if (left.is_lazy || right.is_lazy) file_.bad_sums.push_back({place});
         left = join_texts({left, right}, "");
       } else if (sign == "+" && left.is_text()) {
         left = join_texts({left, right}, "");
@@ -208,9 +217,11 @@ class Reader {
       return {};
     }
     Value value = atom(depth);
+    is_member_ = false;
     while (true) {
       if (is("(")) {
         value = call(std::move(value), depth);
+        is_member_ = true;
       } else if (is(".") && peek(1).kind == Token::Kind::name) {
         ++at_;
         member(value, peek().text);
@@ -234,6 +245,7 @@ class Reader {
       method_of_ = value;
       value = unknown(value.span);
       value.callee = name;
+      is_member_ = true;
     }
   }
 
@@ -327,20 +339,32 @@ class Reader {
     value.callee = callee.callee;
     value.is_conditional = !blocks_.empty();
     take("(");
+    WrittenCall written;
+    written.callee = is_member_ ? std::string() : callee.callee;
+    written.span = callee.span;
     while (!is(")") && !is_end()) {
       const std::size_t before = at_;
+      if (is("*") || is("**")) written.has_star = true;
       const bool is_named = peek().kind == Token::Kind::name && peek(1).kind == Token::Kind::sign &&
                             peek(1).text == "=";
       if (is_named) {
         const std::string name(peek().text);
+        const Span name_span = peek().span;
         at_ += 2;
+        const std::size_t begin = at_;
         value.named.push_back({name, expression(depth + 1)});
+        written.arguments.push_back(argument_of(value.named.back().value, tokens_from(begin)));
+        written.arguments.back().name = name;
+        written.arguments.back().name_span = name_span;
       } else {
         value.items.push_back(expression(depth + 1));
+        written.arguments.push_back(argument_of(value.items.back(), tokens_from(before)));
+        if (is("for")) written.has_star = true;
       }
       if (!take(",") && at_ == before) ++at_;
     }
     take(")");
+    if (!written.callee.empty()) file_.written.push_back(std::move(written));
     return finish(std::move(value), std::move(object));
   }
 
@@ -351,7 +375,10 @@ class Reader {
     const Value* first = value.items.empty() ? nullptr : &value.items.front();
     if (object) {
       const bool is_same = is_one_of(last, {"as_posix", "perform", "resolve", "strip", "items"});
-      if (is_same) return std::move(*object);
+      if (is_same) {
+        object->is_lazy = object->is_lazy && last != "perform";
+        return std::move(*object);
+      }
       if (object->is_text() && is_one_of(last, {"joinpath"})) {
         std::vector<Value> parts{*object};
         parts.insert(parts.end(), value.items.begin(), value.items.end());
@@ -380,6 +407,7 @@ class Reader {
       const std::string* package = name != nullptr ? name->literal() : nullptr;
       Value share = unknown(value.span);
       share.kind = Value::Kind::text;
+      share.is_lazy = last == "FindPackageShare";
       share.pieces.push_back({package != nullptr ? Piece::Kind::share : Piece::Kind::unknown,
                               package != nullptr ? *package : "",
                               name != nullptr ? name->span : value.span});
@@ -393,14 +421,19 @@ class Reader {
       for (Value& part : parts) {
         if (part.is_list()) part = join_texts(part.items, "");
       }
-      return join_texts(parts, "/");
+      Value joined = join_texts(parts, "/");
+      joined.is_lazy = true;
+      return joined;
     }
     if (is_one_of(last, {"str", "Path", "PurePath", "abspath", "normpath", "realpath"})) {
-      return first != nullptr ? *first : unknown(value.span);
+      Value same = first != nullptr ? *first : unknown(value.span);
+      same.is_lazy = false;
+      return same;
     }
     if (last == "TextSubstitution") {
-      const Value* text = value.find("text");
-      return text != nullptr ? *text : unknown(value.span);
+      Value text = value.find("text") != nullptr ? *value.find("text") : unknown(value.span);
+      text.is_lazy = true;
+      return text;
     }
     if (last == "LaunchConfiguration") {
       const Value* name = first != nullptr ? first : value.find("variable_name");
@@ -409,8 +442,11 @@ class Reader {
       const std::string* text = name != nullptr ? name->literal() : nullptr;
       argument.pieces.push_back({text != nullptr ? Piece::Kind::argument : Piece::Kind::unknown,
                                  text != nullptr ? *text : "", value.span});
+      argument.is_lazy = true;
       return argument;
     }
+    value.is_lazy = is_one_of(last, {"Command", "FindExecutable", "ThisLaunchFileDir",
+                                     "EnvironmentVariable", "PythonExpression"});
     value.callee = last == "read" || value.callee.starts_with("xacro") ? value.callee : last;
     file_.calls.push_back(value);
     return value;
@@ -421,53 +457,12 @@ class Reader {
   std::map<std::string_view, int> assigned_;
   std::map<std::string_view, Value> values_;
   std::vector<std::uint32_t> blocks_;  ///< columns of the `if` and loops around the statement
+  bool is_member_ = false;             ///< what is read is a part of a value, no name
   std::optional<Value> method_of_;     ///< the object of the method that is called next
   File file_;
 };
 
 }  // namespace
-
-const Value* Value::find(std::string_view name) const {
-  const auto found = std::find_if(named.begin(), named.end(),
-                                  [&](const Keyword& one) { return one.name == name; });
-  return found == named.end() ? nullptr : &found->value;
-}
-
-const std::string* Value::literal() const {
-  const bool is_known =
-      is_text() && pieces.size() == 1 && pieces.front().kind == Piece::Kind::literal;
-  return is_known ? &pieces.front().text : nullptr;
-}
-
-Value join_texts(const std::vector<Value>& parts, std::string_view between) {
-  Value all;
-  all.kind = Value::Kind::text;
-  for (const Value& part : parts) {
-    if (&part != &parts.front() && !between.empty()) {
-      all.pieces.push_back({Piece::Kind::literal, std::string(between), part.span});
-    }
-    if (all.pieces.empty()) all.span = part.span;
-    if (part.is_text()) {
-      all.pieces.insert(all.pieces.end(), part.pieces.begin(), part.pieces.end());
-    } else {
-      all.pieces.push_back({Piece::Kind::unknown, "", part.span});
-    }
-  }
-  // Literals that follow each other are one; the last one is the place.
-  std::vector<Piece> joined;
-  for (Piece& one : all.pieces) {
-    const bool is_next = one.kind == Piece::Kind::literal && !joined.empty() &&
-                         joined.back().kind == Piece::Kind::literal;
-    if (!is_next) {
-      joined.push_back(std::move(one));
-      continue;
-    }
-    joined.back().text += one.text;
-    if (one.text != between) joined.back().span = one.span;
-  }
-  all.pieces = std::move(joined);
-  return all;
-}
 
 File read_file(std::string_view text, SourceId source) { return Reader(text, source).run(); }
 

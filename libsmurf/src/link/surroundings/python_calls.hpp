@@ -3,7 +3,11 @@
 // without executing it.
 #pragma once
 
+#include <cstdint>
+#include <functional>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -39,6 +43,8 @@ struct Value {
   std::vector<Keyword> named;   ///< keyword arguments of a call
   std::string callee;           ///< "Node"; "open.read" of open(..).read()
   bool is_conditional = false;  ///< below an `if`, a loop or the like
+  /// An object that launch replaces by its text later, such as LaunchConfiguration: no `str`.
+  bool is_lazy = false;
 
   bool is_text() const { return kind == Kind::text; }
   bool is_list() const { return kind == Kind::list; }
@@ -54,7 +60,38 @@ struct Keyword {
   Value value;
 };
 
+/// A call as it is written, with what its values are as far as Python's own checks need it.
+struct WrittenCall {
+  std::string callee;  ///< "Node", "launch_ros.actions.Node"; not of the methods of a value
+  Span span;
+  struct Argument {
+    std::string name;  ///< empty: given by its position
+    Span name_span, span;
+    enum class Kind : std::uint8_t { other, number, truth, nothing, text, mapping, list, lazy };
+    Kind kind = Kind::other;
+    std::string text;  ///< of a literal
+  };
+  std::vector<Argument> arguments;
+  bool has_star = false;  ///< `*list`, `**mapping`
+};
+
+/// `'text' + LaunchConfiguration(..)`: Python cannot add these.
+struct BadSum {
+  Span span;
+};
+
 struct File {
+  std::vector<WrittenCall> written;
+  std::vector<BadSum> bad_sums;
+  std::set<std::string, std::less<>> bound;                  ///< names that anything binds anywhere
+  std::map<std::string, std::string, std::less<>> imported;  ///< names, and from which module
+  bool has_star_import = false;
+  struct Function {
+    std::string name;
+    Span span;
+    bool returns = false;
+  };
+  std::vector<Function> functions;                   ///< at the beginning of a line
   std::vector<Value> calls;                          ///< in the order in which they end
   std::vector<std::pair<std::string, Value>> names;  ///< that are assigned once, in their order
   /// Whether names are bound or texts are made in ways that are not read: loops, `+=`, functions.

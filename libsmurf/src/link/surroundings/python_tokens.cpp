@@ -42,6 +42,7 @@ class Lexer {
     open_.clear();
     end_line();
     if (is_doubtful_) fault_.reset();
+    if (!fault_ && !is_doubtful_) fault_ = fault_of_layout(tokens_);
     return {std::move(tokens_), std::move(fault_)};
   }
 

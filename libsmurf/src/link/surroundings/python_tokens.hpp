@@ -32,6 +32,9 @@ struct Tokens {
   std::vector<Token> tokens;   ///< lines in brackets are one line
   std::optional<Fault> fault;  ///< the first bracket or text that does not end
 };
+/// What is wrong with the layout of tokens whose brackets and texts end: an indentation, a comma
+/// that is missing in brackets.
+std::optional<Fault> fault_of_layout(const std::vector<Token>& tokens);
 /// Reads what it can, whatever is wrong.
 Tokens tokens_of(std::string_view text, SourceId source);
 

@@ -88,13 +88,11 @@ class TieReader {
   Launch read(const std::string& path) {
     Launch launch;
     const auto form = launch_form_of(path::file_name(path));
-    FileContent content = context_.files.read(path, kMostBytesOfLaunch);
+    const FileContent content = context_.files.read(path, kMostBytesOfLaunch);
     if (!form || content.status != ReadStatus::ok) return launch;
-    SourceMap sources;
-    LaunchFile file;
-    file.form = *form;
     const FindLaunchPath find = [&](LaunchPath& one) { look_up(one, path); };
-    read_launch(sources, sources.add(path, std::move(content.text)), context_.limits, find, file);
+    const LaunchFile file = search_of(context_).companions->launches.read(
+        path::normalize(path), content.text, *form, false, {}, context_.limits, find);
     const auto add = [&](const LaunchPath& one) {
       if (!one.exists) return;
       if (is_robot(one.path)) {

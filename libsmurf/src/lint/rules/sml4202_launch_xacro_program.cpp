@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <string_view>
+
+#include "base/text/suggest.hpp"
 #include "lint/companions/launch.hpp"
 
 namespace smurf::rules::sml4202_launch_xacro_program_file {
@@ -6,6 +9,13 @@ namespace {
 
 void check(const LinkedModel&, const Companions& companions, Findings& findings) {
   for_each_launch(companions, [&](const LaunchFile& launch) {
+    for (const LaunchMistake& one : launch.mistakes) {
+      if (one.kind != LaunchMistake::Kind::program) continue;
+      Diagnostic& found = findings.report(one.span, one.message);
+      found.help(one.help);
+      if (one.replacement.empty()) continue;
+      found.fixes.push_back({Applicability::unsafe, {{one.span, one.replacement}}});
+    }
     for (const LaunchDescription& one : launch.descriptions) {
       if (one.form != LaunchDescription::Form::command) continue;
       if (one.lacks_blank) {
@@ -16,6 +26,18 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
       }
       if (!one.program.is_known) continue;
       const std::string_view program = one.program.text;
+      constexpr std::string_view kPrograms[] = {"xacro"};
+      const bool is_name = program.find('/') == std::string_view::npos;
+      if (const auto near = near_name(program, kPrograms); near && is_name) {
+        findings.report(one.program.span, "there is no program " + quoted(program))
+            .help("did you mean " + quoted(*near) + "?");
+        continue;
+      }
+      if (one.options.contains("-o") || one.options.contains("--output")) {
+        findings
+            .report(one.span, "xacro writes the robot into a file here, and launch gets no text")
+            .help("delete `-o` and the name of the file");
+      }
       if (program == "xacro.py" || program.ends_with("/xacro.py")) {
         findings.report(one.program.span, "there is no program `xacro.py` any more")
             .help("write `xacro`");
@@ -29,7 +51,7 @@ void check(const LinkedModel&, const Companions& companions, Findings& findings)
 
 constexpr Fact kFacts[] = {
     {&readers::ros, Effect::breaks, "ends the launch: there is no robot_description",
-     "xacro setup.py and cli.py (2.1.1, run); launch substitutions/command.py"},
+     "xacro setup.py and cli.py (2.1.1, run); launch substitutions/command.py and find_executable.py (1.0.7, 3.4.3, 3.7.1, run)"},
 };
 
 }  // namespace
