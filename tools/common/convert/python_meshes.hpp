@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Meshes by Python modules that users install: convex parts by CoACD, fewer triangles by
-// meshoptimizer. They run in the `python3` on the PATH, each mesh in a process of its own, which may
-// take `seconds` of processor time; 0: no end. Results are the same in every run.
+// meshoptimizer. They run in the `python3` on the PATH, each mesh in a process of its own, which
+// may take `seconds` of processor time; 0: no end. Results are the same in every run.
 #pragma once
 
 #include <cstdint>

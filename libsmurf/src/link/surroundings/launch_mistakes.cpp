@@ -256,7 +256,7 @@ class ElementMistakes {
       substitution(used, place(used.begin, used.end));
       const Span first = place(used.first_begin, used.first_begin + used.first.size());
       if (used.name == "find-exec" && used.first.find('$') == std::string_view::npos)
-        check_program(used.first, first, "", file_);
+        check_program(used.first, first, file_);
       const bool is_read = used.name == "var" && used.values == 1;
       if (!is_read || !is_name(used.first) || done_.contains(used.first)) continue;
       const bool is_below = set_.contains(used.first);
@@ -369,15 +369,13 @@ void check_packages(LaunchFile& file) {
   for (const LaunchPath& one : file.paths) look_at(one.text);
 }
 
-void check_program(std::string_view name, Span span, std::string_view next, LaunchFile& file) {
+void check_program(std::string_view name, Span span, LaunchFile& file) {
   constexpr std::string_view kPrograms[] = {"xacro"};
   std::string help;
   if (name == "xacro.py") {
     help = "write `xacro`";
   } else if (near_name(name, kPrograms)) {
     help = "did you mean `xacro`?";
-  } else if (!name.empty() && trimmed(next).starts_with(std::string(name) + "/")) {
-    help = "write `xacro` here, and the folder in the path";
   } else if (is_one_of(name, {"urdf", "xacro.urdf", "urdf.xacro"})) {
     help = "write `xacro`";
   } else {

@@ -24,8 +24,8 @@ void check_node_name(const LaunchText& name, LaunchFile& file);
 void check_namespace(const LaunchText& name, LaunchFile& file);
 /// Names of packages with a slash.
 void check_packages(LaunchFile& file);
-/// The name that FindExecutable, or `$(find-exec NAME)`, looks for, and the text behind it.
-void check_program(std::string_view name, Span span, std::string_view next, LaunchFile& file);
+/// The name that FindExecutable, or `$(find-exec NAME)`, looks for.
+void check_program(std::string_view name, Span span, LaunchFile& file);
 /// An argument that is read: `known` are all that the file sets.
 void check_argument(std::string_view name, Span span, std::span<const std::string_view> known,
                     bool is_below, LaunchFile& file);

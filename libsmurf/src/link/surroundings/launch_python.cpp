@@ -142,7 +142,7 @@ class PythonMistakes {
     types(call, *known);
     const Argument* first = argument(call, name == "FindExecutable" ? "name" : "variable_name", 0);
     if (first == nullptr || first->kind != Argument::Kind::text) return;
-    if (name == "FindExecutable") check_program(first->text, first->span, "", file_);
+    if (name == "FindExecutable") check_program(first->text, first->span, file_);
     const bool has_default = argument(call, "default", kNever) != nullptr;
     if (name != "LaunchConfiguration" || has_default || set_.contains(first->text)) return;
     check_argument(first->text, first->span, names_, false, file_);
