@@ -205,7 +205,7 @@ class SelfCollision(reader.ReaderTest):
     def test_what_a_format_cannot_do_is_refused(self):
         for arguments, words in ((["--format", "sdf", "--srdf", "bot.srdf"], "--srdf and --exclude-overlaps need one of"),
                                  (["--format", "gltf", "--self-collision", "all"], "--self-collision needs one of"),
-                                 (["--format", "mjcf", "--form", "reference", "--self-collision", "all"], "need --form expand")):
+                                 (["--format", "mjcf", "--form", "reference", "--self-collision", "all"], "needs --form expand")):
             done = self.run_tool("bot.urdf", "-o", "out", *arguments)
             self.assertEqual((done.returncode, (self.folder / "out").exists()), (2, False), done.stderr)
             self.assertIn(words, done.stderr)

@@ -344,9 +344,10 @@ std::string unmet_need(const Options& options, const SceneFormat& format, SceneF
       {options.collisions.changes_something(), "--collision needs", &SceneFormat::has_collisions}};
   const bool is_expanded = form == SceneForm::expand || !format.has_expanded_form;
   for (const auto& need : needs) {
-    if (!need.is_asked || (format.*need.has && (is_expanded || !need.in_expanded_form))) continue;
-    return std::string(need.words) + (need.in_expanded_form ? " --form expand and" : "") +
-           " one of the formats " + formats_with(need.has);
+    if (!need.is_asked) continue;
+    const std::string words(need.words);
+    if (!(format.*need.has)) return words + " one of the formats " + formats_with(need.has);
+    if (need.in_expanded_form && !is_expanded) return words + " --form expand";
   }
   return {};
 }
