@@ -120,7 +120,7 @@ class ElementMistakes {
     for (const Action& one : actions()) {
       if (one.name.find('/') == std::string_view::npos) known.push_back(one.name);
     }
-    const auto near = near_name(element.name, known);
+    const auto near = near_.of(element.name, known);
     const auto same = std::find_if(known.begin(), known.end(), [&](std::string_view one) {
       return lower(one) == lower(element.name);
     });
@@ -134,6 +134,7 @@ class ElementMistakes {
 
   void attributes(const Element& element, const Action& row) {
     const std::string_view place = row.name;
+    const std::size_t before = file_.mistakes.size();
     for (const Attribute& one : element.attributes) {
       if (!is_yaml() && one.name.ends_with("-sep")) continue;
       std::string_view type;
@@ -155,9 +156,10 @@ class ElementMistakes {
       if (element.attribute(one) != nullptr) continue;
       // A misspelt one was reported as such.
       const bool is_told =
-          std::any_of(file_.mistakes.begin(), file_.mistakes.end(), [&](const LaunchMistake& told) {
-            return told.kind == Kind::word && holds(element, told.span);
-          });
+          std::any_of(file_.mistakes.begin() + static_cast<std::ptrdiff_t>(before),
+                      file_.mistakes.end(), [&](const LaunchMistake& told) {
+                        return told.kind == Kind::word && holds(element, told.span);
+                      });
       if (!is_told)
         report(Kind::word, element.span, shown(element) + " needs " + quoted(one), "add it");
     }
@@ -261,7 +263,7 @@ class ElementMistakes {
       if (!is_read || !is_name(used.first) || done_.contains(used.first)) continue;
       const bool is_below = set_.contains(used.first);
       if (has_included_ && is_below) continue;
-      check_argument(used.first, first, names_, is_below, file_);
+      check_argument(used.first, first, names_, is_below, near_, file_);
       if (has_included_ && !file_.mistakes.empty()) file_.mistakes.back().is_doubtful = true;
     }
   }
@@ -283,7 +285,7 @@ class ElementMistakes {
     const std::string_view now = old_word("$", used.name);
     std::vector<std::string_view> known;
     for (const Substitution& one : rows) known.push_back(one.name);
-    const auto near = near_name(used.name, known);
+    const auto near = near_.of(used.name, known);
     const auto same = std::find(known.begin(), known.end(), lower(used.name));
     const std::string_view right = same != known.end() ? *same : near ? *near : std::string_view();
     if (now.empty() && set_.contains(used.name) && used.values == 0) {
@@ -302,6 +304,7 @@ class ElementMistakes {
   LaunchFile& file_;
   std::set<std::string_view> set_, done_;
   std::vector<std::string_view> names_;
+  NearNames near_;
   bool has_included_ = false;
 };
 
@@ -386,12 +389,12 @@ void check_program(std::string_view name, Span span, LaunchFile& file) {
 }
 
 void check_argument(std::string_view name, Span span, std::span<const std::string_view> known,
-                    bool is_below, LaunchFile& file) {
+                    bool is_below, NearNames& near_names, LaunchFile& file) {
   LaunchMistake found{Kind::unset, span,
                       is_below ? "the argument " + quoted(name) + " is read above its declaration"
                                : "nothing declares or sets the argument " + quoted(name),
                       is_below ? "declare it further up" : "declare it, with a default"};
-  const auto near = is_below ? std::nullopt : near_name(name, known);
+  const auto near = is_below ? std::nullopt : near_names.of(name, known);
   if (near) {
     found.help = "did you mean " + quoted(*near) + "?";
     if (span.end - span.begin == name.size()) found.replacement = *near;

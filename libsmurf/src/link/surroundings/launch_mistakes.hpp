@@ -3,9 +3,12 @@
 // that nothing sets, values that cannot be.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <string_view>
 
+#include "base/text/suggest.hpp"
 #include "link/surroundings/launch_elements.hpp"
 #include "link/surroundings/launch_texts.hpp"
 #include "link/surroundings/python_calls.hpp"
@@ -26,8 +29,21 @@ void check_namespace(const LaunchText& name, LaunchFile& file);
 void check_packages(LaunchFile& file);
 /// The name that FindExecutable, or `$(find-exec NAME)`, looks for.
 void check_program(std::string_view name, Span span, LaunchFile& file);
+/// The nearest of some names. All searches in a file together compare few; later ones find none.
+class NearNames {
+ public:
+  std::optional<std::string_view> of(std::string_view name,
+                                     std::span<const std::string_view> known) {
+    constexpr std::size_t kMost = 200'000;
+    compared_ += known.size();
+    return compared_ > kMost ? std::nullopt : near_name(name, known);
+  }
+
+ private:
+  std::size_t compared_ = 0;
+};
 /// An argument that is read: `known` are all that the file sets.
 void check_argument(std::string_view name, Span span, std::span<const std::string_view> known,
-                    bool is_below, LaunchFile& file);
+                    bool is_below, NearNames& near_names, LaunchFile& file);
 
 }  // namespace smurf::launch

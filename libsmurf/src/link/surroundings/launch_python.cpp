@@ -145,7 +145,7 @@ class PythonMistakes {
     if (name == "FindExecutable") check_program(first->text, first->span, file_);
     const bool has_default = argument(call, "default", kNever) != nullptr;
     if (name != "LaunchConfiguration" || has_default || set_.contains(first->text)) return;
-    check_argument(first->text, first->span, names_, false, file_);
+    check_argument(first->text, first->span, names_, false, near_, file_);
     LaunchMistake& found = file_.mistakes.back();
     if (has_others_ && found.replacement.empty())
       file_.mistakes.pop_back();
@@ -155,7 +155,7 @@ class PythonMistakes {
 
   void unbound(const WrittenCall& call, std::string_view root) {
     const std::vector<std::string_view> bound(python_.bound.begin(), python_.bound.end());
-    const auto near = near_name(root, bound);
+    const auto near = near_.of(root, bound);
     const bool is_class = find_class(root) != nullptr;
     std::string help = near       ? "did you mean " + quoted(*near) + "?"
                        : is_class ? "import it from launch or launch_ros"
@@ -277,6 +277,7 @@ class PythonMistakes {
   LaunchFile& file_;
   std::set<std::string, std::less<>> set_;
   std::vector<std::string_view> names_;
+  NearNames near_;
   bool has_others_ = false;  ///< what is not read may set arguments
 };
 

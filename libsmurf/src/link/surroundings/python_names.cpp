@@ -13,7 +13,15 @@ namespace {
 
 class Names {
  public:
-  Names(const std::vector<Token>& tokens, File& file) : tokens_(tokens), file_(file) {}
+  Names(const std::vector<Token>& tokens, File& file)
+      : tokens_(tokens), file_(file), is_target_(tokens.size() + 1) {
+    for (std::size_t k = tokens.size(); k-- > 0;) {
+      const bool is_sign = tokens[k].kind == Token::Kind::sign;
+      const bool is_list = tokens[k].kind == Token::Kind::name ||
+                           (is_sign && is_one_of(tokens[k].text, {",", "(", ")", "[", "]"}));
+      is_target_[k] = (is_sign && tokens[k].text == "=") || (is_list && is_target_[k + 1]);
+    }
+  }
 
   /// Names that are bound: imports, functions with their parameters, assignments, loops.
   void run() {
@@ -26,37 +34,26 @@ class Names {
         note_import(i);
       } else if (is_one_of(token.text, {"def", "class"}) && next.kind == Token::Kind::name) {
         file_.bound.emplace(next.text);
-        if (token.text == "def") note_function(i);
+        if (token.text == "def") i = note_function(i) - 1;
       } else if (is_one_of(token.text, {"for", "lambda", "global", "nonlocal"})) {
-        for (std::size_t k = i + 1; k < tokens_.size() && tokens_[k].kind != Token::Kind::line;
-             ++k) {
+        std::size_t k = i + 1;
+        for (; k < tokens_.size() && tokens_[k].kind != Token::Kind::line; ++k) {
           if (tokens_[k].text == "in" || tokens_[k].text == ":") break;
           if (tokens_[k].kind == Token::Kind::name) file_.bound.emplace(tokens_[k].text);
         }
+        i = k - 1;
       } else if (token.text == "as" && next.kind == Token::Kind::name) {
         file_.bound.emplace(next.text);
       } else if (next.kind == Token::Kind::sign &&
                  is_one_of(next.text, {"=", ":=", ",", ":", ")"})) {
         // An assignment, also of several names; a keyword or a value, too, which does no harm.
-        if (next.text == "=" || next.text == ":=" || is_first || is_target(i))
+        if (next.text == "=" || next.text == ":=" || is_first || is_target_[i])
           file_.bound.emplace(token.text);
       }
     }
   }
 
  private:
-  /// Whether a name is one of several before `=`.
-  bool is_target(std::size_t at) const {
-    for (std::size_t k = at; k < tokens_.size(); ++k) {
-      if (tokens_[k].kind == Token::Kind::sign && tokens_[k].text == "=") return true;
-      const bool is_list = tokens_[k].kind == Token::Kind::name ||
-                           (tokens_[k].kind == Token::Kind::sign &&
-                            is_one_of(tokens_[k].text, {",", "(", ")", "[", "]"}));
-      if (!is_list) return false;
-    }
-    return false;
-  }
-
   void note_import(std::size_t at) {
     std::string module;
     bool is_from = tokens_[at].text == "from";
@@ -79,7 +76,8 @@ class Names {
     }
   }
 
-  void note_function(std::size_t at) {
+  /// Where its parameters end.
+  std::size_t note_function(std::size_t at) {
     const std::uint32_t column = tokens_[at].column;
     File::Function function;
     function.name = tokens_[at + 1].text;
@@ -91,6 +89,8 @@ class Names {
       if (tokens_[k].text == ")" && --open == 0) break;
       if (tokens_[k].kind == Token::Kind::name) file_.bound.emplace(tokens_[k].text);
     }
+    const std::size_t end = k;
+    if (column > 0) return end;
     bool is_first = false;
     for (; k < tokens_.size() && tokens_[k].kind != Token::Kind::end; ++k) {
       if (tokens_[k].kind == Token::Kind::line) {
@@ -102,11 +102,13 @@ class Names {
       function.returns =
           function.returns || is_one_of(tokens_[k].text, {"return", "yield", "raise"});
     }
-    if (column == 0) file_.functions.push_back(std::move(function));
+    file_.functions.push_back(std::move(function));
+    return end;
   }
 
   const std::vector<Token>& tokens_;
   File& file_;
+  std::vector<bool> is_target_;  ///< by token: names, commas and brackets from it on end at `=`
 };
 
 }  // namespace
