@@ -41,7 +41,8 @@ class Indentation {
     if (first.column > top) columns_.push_back(first.column);
     while (!columns_.empty() && columns_.back() > first.column) columns_.pop_back();
     if ((columns_.empty() ? 0 : columns_.back()) != first.column)
-      return Fault{first.span, "this line is indented as no block around it", "indent it as one"};
+      return Fault{first.span, "the indentation of this line fits no block around it",
+                   "indent it as one of them"};
     return std::nullopt;
   }
 
