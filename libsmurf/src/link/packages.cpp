@@ -16,7 +16,7 @@ Packages::Packages(LoadContext& context, const LinkedModel& model, FileIndex& in
       is_xacro_(model.language == Language::xacro) {
   const std::string_view urdf_folder = path::parent(urdf_path_);
   std::string folder = path::normalize(urdf_folder.empty() ? "." : urdf_folder);
-  for (int level = 0; level <= kFoldersAbove; ++level) {
+  for (std::size_t level = 0; level <= kFoldersAbove; ++level) {
     folders_.push_back(folder);
     folder = path::join(folder, "..");
   }

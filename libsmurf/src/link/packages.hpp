@@ -2,6 +2,7 @@
 // Addresses of the form package://NAME/REST.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -15,7 +16,7 @@ namespace smurf {
 
 /// How many folders above the URDF are searched for a file. Bullet and Isaac's converter look in
 /// all of them (PyBullet 3.2.7 and urdf-usd-converter 0.3.4, run with ten).
-constexpr int kFoldersAbove = 7;
+constexpr std::size_t kFoldersAbove = 7;
 
 class Packages {
  public:

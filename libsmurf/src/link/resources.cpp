@@ -104,7 +104,7 @@ class Resolver {
   /// and `package://FILE`.
   std::string find_upward(const std::string& path) {
     std::string folder = urdf_folder_;
-    for (int level = 0; level <= kFoldersAbove; ++level) {
+    for (std::size_t level = 0; level <= kFoldersAbove; ++level) {
       std::string there = path::join(folder, path);
       if (!path.empty() && index_.exists(there)) return there;
       folder = path::join(folder, "..");
@@ -147,13 +147,22 @@ class Resolver {
   /// there.
   std::string find_from_above(const std::string& filename) {
     if (is_address(filename) || path::is_absolute(filename)) return {};
-    std::string folder = urdf_folder_;
-    for (int level = 0; level < kFoldersAbove; ++level) {
-      folder = path::join(folder, "..");
+    const std::string_view first = std::string_view(filename).substr(0, filename.find('/'));
+    while (above_.size() < kFoldersAbove)
+      above_.push_back(path::join(above_.empty() ? urdf_folder_ : above_.back(), ".."));
+    for (const std::string& folder : above_) {
+      if (!may_hold(folder, first)) continue;
       const std::string there = path::join(folder, filename);
       if (index_.exists(there)) return path::relative(there, urdf_folder_);
     }
     return {};
+  }
+  /// Looked up in a list, since a robot may name a hundred thousand files that are missing. Hidden
+  /// names may exist without being listed, and a folder may be closed to listing.
+  bool may_hold(const std::string& folder, std::string_view name) {
+    if (name.empty() || name.starts_with('.')) return true;
+    const std::vector<std::string>& names = index_.list(folder);
+    return names.empty() || std::binary_search(names.begin(), names.end(), name);
   }
 
   /// A file of this name in a folder beside the one that is named: `visuals/` for `meshes/`.
@@ -220,7 +229,8 @@ class Resolver {
   std::string urdf_folder_;
   std::string main_folder_;
   bool has_main_;
-  int sought_ = 0;  ///< number of missing files for which find_near() was called
+  int sought_ = 0;  ///< number of missing files for which similar names were looked for
+  std::vector<std::string> above_;  ///< the folders above that of the URDF, the nearest first
   Packages packages_;
 };
 

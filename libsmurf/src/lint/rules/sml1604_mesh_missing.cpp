@@ -61,7 +61,7 @@ bool is_found_from_above(const MeshReference& mesh, const LinkedModel& model) {
   const std::string folder(path::parent(model.urdf_path));
   const std::string meant = path::join(folder, mesh.meant);
   std::string above = folder;
-  for (int level = 0; level < kFoldersAbove; ++level) {
+  for (std::size_t level = 0; level < kFoldersAbove; ++level) {
     above = path::join(above, "..");
     if (path::join(above, mesh.filename) == meant) return true;
   }
