@@ -154,8 +154,8 @@ class PythonMistakes {
   }
 
   void unbound(const WrittenCall& call, std::string_view root) {
-    const std::vector<std::string_view> bound(python_.bound.begin(), python_.bound.end());
-    const auto near = near_.of(root, bound);
+    if (bound_.empty()) bound_.assign(python_.bound.begin(), python_.bound.end());
+    const auto near = near_.of(root, bound_);
     const bool is_class = find_class(root) != nullptr;
     std::string help = near       ? "did you mean " + quoted(*near) + "?"
                        : is_class ? "import it from launch or launch_ros"
@@ -277,6 +277,8 @@ class PythonMistakes {
   LaunchFile& file_;
   std::set<std::string, std::less<>> set_;
   std::vector<std::string_view> names_;
+  std::vector<std::string_view>
+      bound_;  ///< the names that Python knows here, once they are asked for
   NearNames near_;
   bool has_others_ = false;  ///< what is not read may set arguments
 };

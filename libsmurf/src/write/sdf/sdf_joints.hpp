@@ -38,7 +38,7 @@ class SdfJoints {
   /// `parent`: the name of its body; `scope`: the nested model that is open.
   void add_joint(std::size_t i, const LinkedModel& model, const SdfJoint& joint,
                  const std::string& parent, std::string_view scope);
-  /// One for each motor.
+  /// Adds a controller for each motor.
   void add_controllers(const LinkedModel& model);
   /// A joint to a second parent; its zero is at the start, as that of others.
   void add_loop(std::size_t i, const LinkedModel& model, const Loop& loop);
