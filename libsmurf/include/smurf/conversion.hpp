@@ -89,8 +89,8 @@ struct ConvexParts {
 struct HeavyMesh {
   std::vector<Vector3> points;         ///< m; no two are equal
   std::vector<std::uint32_t> indices;  ///< three per triangle
-  /// With this many triangles, the surface moves no further than `near`; it may move as far as
-  /// `far` to have no more of them. Both are parts of the longest edge of the box around the mesh.
+  /// The surface may move by `near` wherever that saves triangles. If more than this many are left,
+  /// it may move by `far`. Both are parts of the longest edge of the box around the mesh.
   std::size_t triangles = 0;
   double near = 0;
   double far = 0;

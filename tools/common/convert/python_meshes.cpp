@@ -18,7 +18,7 @@ namespace {
 
 /// Reads numbers, writes numbers: see text_of() and Answer. Modules print to standard output, so
 /// that gets another place. Modules in the current folder, which may be anybody's, are not run.
-/// The options are the numbers before the mesh. Exit code 3: the module is not there.
+/// Options are numbers that stand before the mesh. Exit code 3: the module is not there.
 constexpr std::string_view kReadMesh = R"(
 import sys
 sys.path = [folder for folder in sys.path if folder]
