@@ -150,7 +150,8 @@ TEST_CASE("xml: broken structure is reported at its cause") {
       {"<r a='1<\n'/>", {"SML1001 1:6 [']"}},
       {"<r a='1><b c=''/>", {"SML1001 1:6 [']"}},
       {"<r a='1' a='2'/>", {"SML1007 1:10 [a]"}},
-      {"<r/><s/>", {"SML1006 1:6 [s]"}},
+      {"<r/><link/>", {"SML1006 1:6 [link]"}},
+      {"<r/><s>", {"SML1006 1:6 [s]", "SML1001 1:8 []"}},
       {"<r/> text", {"SML1001 1:6 [text]"}},
       {"text <r/>", {"SML1001 1:1 [text ]"}},
       {"<r/><![CDATA[x]]>", {"SML1001 1:5 [<![CDATA[x]]>]"}},
@@ -171,13 +172,15 @@ TEST_CASE("xml: broken structure is reported at its cause") {
       {"<?xml version='1.0' encoding]='UTF-8'?><r/>", {"SML1001 1:29 []]"}},
       {"<?xml version = '1.0' ='UTF-8'?><r/>", {"SML1001 1:23 [=]"}},
       {std::string("<r\0/>", 6), {"SML0004 1:3 [" + std::string(1, '\0') + "]"}},
-      {"<r a='\xFF'/>", {"SML0003 1:7 [\xFF]"}},
       {"\xFE\xFF<r/>", {"SML0005 1:1 []"}},
   });
 }
 
 TEST_CASE("xml: what lenient readers accept is reported, and the tree is kept") {
   check(std::vector<ErrorCase>{
+      {"<r/><s/><t/>", {"SML1006 1:6 [s]"}, true},
+      {"<r a='\xFF'/>", {"SML0003 1:7 [\xFF]"}, true},
+      {std::string("<r/>\n\0\0 ", 8), {"SML0004 2:1 [" + std::string(1, '\0') + "]"}, true},
       {"<r a='x & y'/>", {"SML1003 1:9 [&]"}, true},
       {"<r>a&b</r>", {"SML1003 1:5 [&]"}, true},
       {"<r a='1'b='2'c='3'/>", {"SML1014 1:9 [b]", "SML1014 1:14 [c]"}, true},

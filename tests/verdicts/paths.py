@@ -249,7 +249,7 @@ def write(cases, folder, text_of=lambda text: text):
             (package / file).write_bytes(content)
         paths[name] = package / case.urdf
         paths[name].parent.mkdir(parents=True, exist_ok=True)
-        paths[name].write_bytes(text_of(case.text.replace(HERE, str(package)).encode()))
+        paths[name].write_bytes(text_of(case.text.replace(HERE, str(package)).encode("utf-8", "surrogateescape")))
     return paths
 
 

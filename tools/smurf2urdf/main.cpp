@@ -141,11 +141,12 @@ int smurf2urdf_main(int argc, char** argv) {
                                              .mesh_folder = mesh_folder(options.common.output),
                                              .file_name = file_name(options.common.output),
                                              .collisions = options.collisions});
-  const ExitCode verdict = conversion.report(result.report, [&](const Diagnostic& finding) {
+  const auto loss_of = [&](const Diagnostic& finding) {
     return loss_in_urdf(finding, model, wanted);
-  });
-  if (verdict == kFailed) return kFailed;
+  };
   const Refusal& refusal = result.refusal;
+  const ExitCode verdict = conversion.report(result.report, loss_of, refusal);
+  if (verdict == kFailed) return kFailed;
   if (refusal && refusal.cause == Refusal::Cause::findings) return conversion.refuse(refusal);
   if (verdict != kDone && !options.common.force) {
     return conversion.refuse(conversion.why() + "; see --force");

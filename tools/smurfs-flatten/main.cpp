@@ -470,9 +470,10 @@ int smurfs_flatten_main(int argc, char** argv) {
   }
   if (!conversion.keeps_inputs({options.common.output, options.loss_report})) return kFailed;
   if (!keeps_inputs(kTool, conversion.inputs(), copies)) return kFailed;
-  const ExitCode verdict = conversion.report(result.report, [&](const Diagnostic& finding) {
+  const auto loss_of = [&](const Diagnostic& finding) {
     return loss_in_scene(finding, loaded->scene, *loaded->sources);
-  });
+  };
+  const ExitCode verdict = conversion.report(result.report, loss_of, result.refusal);
   if (verdict == kFailed) return kFailed;
   if (result.refusal) return conversion.refuse(result.refusal);
   if (verdict != kDone && !options.common.force) {

@@ -269,9 +269,9 @@ ExitCode convert(Conversion& conversion, const Options& options) {
   std::vector<std::string> outputs = places_of(result.copies, conversion.inputs());
   for (const TextFile& file : result.texts) outputs.push_back(path::join(folder, file.path));
   if (!options.dry_run && !conversion.keeps_inputs(outputs)) return kFailed;
-  const ExitCode verdict = conversion.report(result.report, loss_in_model);
-  if (verdict == kFailed) return kFailed;
   const Refusal& refusal = result.refusal;
+  const ExitCode verdict = conversion.report(result.report, loss_in_model, refusal);
+  if (verdict == kFailed) return kFailed;
   if (refusal && refusal.cause == Refusal::Cause::findings) return conversion.refuse(refusal);
   if (verdict != kDone && !options.common.force) {
     return conversion.refuse(conversion.why() + "; see --force");

@@ -11,6 +11,7 @@
 
 #include "base/files/path.hpp"
 #include "base/findings/cases.hpp"
+#include "base/findings/file_cases.hpp"
 #include "base/findings/rules.hpp"
 #include "base/findings/uncertain.hpp"
 #include "base/numbers/floating.hpp"
@@ -104,8 +105,11 @@ class NumberReader {
     Diagnostic& diagnostic = sink_.report(rule, at, std::move(message));
     // Drake looks for a space before it reads a scale of three numbers.
     const bool is_one = attribute_.name() == "scale" && text_.find(' ') == text_.npos;
-    if (read_leading_numbers(text_).size() == (is_one ? 1 : wanted_))
-      diagnostic.when(cases::kEnoughRead);
+    const std::vector<double> read = read_leading_numbers(text_);
+    if (read.size() == (is_one ? 1 : wanted_)) diagnostic.when(cases::kEnoughRead);
+    constexpr double kLeast = 1e-8;  // of a scale for Drake
+    const auto is_nothing = [](double number) { return std::fabs(number) < kLeast; };
+    if (std::any_of(read.begin(), read.end(), is_nothing)) diagnostic.when(cases::kReadsZero);
     if (count_between_spaces(text_) >= wanted_) diagnostic.when(cases::kEnoughWords);
     return diagnostic;
   }

@@ -82,9 +82,10 @@ bool computes(const UrdfExport& wanted) {
 /// Nearly all programs load URDFs with urdfdom, so it checks the result.
 std::optional<std::string> loss_in_text(const Diagnostic& finding, const UrdfExport& wanted) {
   // URDF readers continue there, but the result is copied from this text.
-  const Rule* const not_xml[] = {&rules::sml0004_control_character, &rules::sml1001_xml_malformed,
-                                 &rules::sml1015_xml_late_instruction,
-                                 &rules::sml1016_xml_missing_quotes};
+  const Rule* const not_xml[] = {
+      &rules::sml0003_invalid_utf8,         &rules::sml0004_control_character,
+      &rules::sml1001_xml_malformed,        &rules::sml1006_xml_several_roots,
+      &rules::sml1015_xml_late_instruction, &rules::sml1016_xml_missing_quotes};
   if (std::find(std::begin(not_xml), std::end(not_xml), finding.rule) != std::end(not_xml)) {
     return "the result would not be XML";
   }
@@ -184,6 +185,7 @@ bool can_be_forced(const Diagnostic& finding) {
   if (!is_unread(*finding.rule) || finding.rule->blocks_building || is_not_finite(*finding.rule)) {
     return false;
   }
+  if (finding.rule == &rules::sml0003_invalid_utf8) return false;  // names go into the result
   // Behind the end of the robot.
   if (finding.rule == &rules::sml0004_control_character && finding.pointer.empty()) return true;
   return finding.pointer.starts_with("/robot/") &&

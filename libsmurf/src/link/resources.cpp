@@ -30,7 +30,9 @@ class Resolver {
     reference.filename = *filename;
     reference.is_texture = is_texture;
     reference.path = find(*filename, &reference);
-    const bool is_found = !reference.path.empty() && index_.exists(reference.path);
+    // `folder/mesh.stl/` is a folder for the system, which the reader asks.
+    const bool is_found =
+        !reference.path.empty() && !filename->ends_with('/') && index_.exists(reference.path);
     const bool is_denied =
         !is_found && !reference.path.empty() && context_.files.is_denied(reference.path);
     reference.exists = is_found || is_denied;
@@ -120,7 +122,7 @@ class Resolver {
       path = find(slashes);
       if (!path.empty() && index_.exists(path)) return path;
     }
-    if (path.empty()) return {};
+    if (path.empty() || reference.filename.ends_with('/')) return {};
     const auto other = index_.in_other_case(path);
     return other && index_.exists(*other) ? *other : std::string();
   }
@@ -130,6 +132,9 @@ class Resolver {
   std::string find_meant(const MeshReference& reference) {
     constexpr int kMostSought = 20;
     if (reference.path.empty()) return {};
+    if (reference.filename.ends_with('/') && index_.exists(reference.path)) {
+      return reference.filename.substr(0, reference.filename.find_last_not_of('/') + 1);
+    }
     if (std::string there = find_from_above(reference.filename); !there.empty()) return there;
     if (sought_ == kMostSought) return {};
     ++sought_;

@@ -24,7 +24,10 @@ inline constexpr Circumstance kOfWorld{"of the world"};
 // MuJoCo: in inertials, by what moves the link.
 inline constexpr Circumstance kCarried{"carried"};  ///< fixed to another link, or to the world
 inline constexpr Circumstance kStill{"still"};      ///< nothing moves it
-inline constexpr Circumstance kAlone{"alone"};      ///< the only inertial of a moving body
+inline constexpr Circumstance kAlone{
+    "alone"};  ///< the only inertial of a moving body that is not zero
+// MuJoCo: in a tensor whose moments are 0.
+inline constexpr Circumstance kWithoutMoments{"without moments"};
 // MuJoCo: in a link that is part of a moving body without mass and collisions.
 inline constexpr Circumstance kMasslessBody{"massless body"};
 // MuJoCo: where the file tells it to.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Drake, which has its own URDF reader.
 #include "base/findings/cases.hpp"
+#include "base/findings/file_cases.hpp"
 #include "readers/circumstances.hpp"
 
 namespace smurf::readers::drake_file {
@@ -9,6 +10,10 @@ namespace {
 using enum Effect;
 
 constexpr FamilyFact kFamilies[] = {
+    {"SML18",
+     {&drake, refuses,
+      "reads the numbers up to the first unreadable character, and refuses a scale of 0", kRun,
+      at("mesh/@scale").when(cases::kEnoughRead, cases::kReadsZero)}},
     {"SML18",
      {&drake, changes, "reads the numbers up to the first unreadable character", kRun,
       when(cases::kEnoughRead)}},

@@ -149,6 +149,8 @@ constexpr FamilyFact kFamilies[] = {
      {&isaac, refuses, "fails at the principal axes of the inertia", kRun, at("inertia")}},
     {sml1804_number_infinite, {&isaac, changes, "keeps infinity", kRun}},
     {sml1810_overflow_underflow,
+     {&isaac, takes, "reads the number", kRun, when(cases::kSubnormal)}},
+    {sml1810_overflow_underflow,
      {&isaac, refuses, "fails at the principal axes of the inertia", kRun,
       at("inertia").unless(cases::kUnderflow)}},
     {sml1810_overflow_underflow, {&isaac, changes, "reads infinity or 0", kRun}},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // MuJoCo, which has its own URDF reader.
 #include "base/findings/rules.hpp"
+#include "base/findings/uncertain.hpp"
 #include "link/mujoco_compiler.hpp"
 #include "link/shape_solids.hpp"
 #include "readers/circumstances.hpp"
@@ -50,6 +51,13 @@ bool is_carried(const LinkedModel& model, std::size_t link) {
   return !above || model.joint(*above).type == urdf::JointType::fixed;
 }
 
+bool has_no_moments(const urdf::Link& link) {
+  if (!link.inertial) return false;
+  const auto& inertial = *link.inertial;
+  return inertial.ixx.value_or(1) == 0 && inertial.iyy.value_or(1) == 0 &&
+         inertial.izz.value_or(1) == 0;
+}
+
 /// What moves the links of findings in inertials.
 class Motion {
  public:
@@ -64,14 +72,19 @@ class Motion {
       if (massless_[link]) finding.when(kMasslessBody);
       return;
     }
-    if (is_carried(model_, link)) {
-      if (still_.empty()) still_ = fixed_to_root(model_);
-      finding.when(kCarried);
-      if (still_[link]) finding.when(kStill);
-      return;
-    }
+    if (has_no_moments(*part)) finding.when(kWithoutMoments);
     if (alone_.empty()) alone_ = alone_in_motion(model_);
     if (alone_[link]) finding.when(kAlone);
+    if (!is_carried(model_, link)) {
+      // What becomes of a sum with infinity depends on its place.
+      if (!alone_[link] && finding.rule == &rules::sml1804_number_infinite) {
+        finding.when(kUncertain);
+      }
+      return;
+    }
+    if (still_.empty()) still_ = fixed_to_root(model_);
+    finding.when(kCarried);
+    if (still_[link]) finding.when(kStill);
   }
 
  private:

@@ -29,7 +29,7 @@ constexpr FamilyFact kFamilies[] = {
     // XML
     {sml0003_invalid_utf8,
      {&newton, takes, "reads the encoding that the declaration names", kRun,
-      when(cases::kDeclaration)}},
+      when(cases::kOtherEncoding)}},
     {sml0003_invalid_utf8, {&newton, refuses, kNotXml, kRun}},
     {sml0004_control_character, {&newton, refuses, kNotXml, kRun}},
     {sml0005_unsupported_encoding, {&newton, takes, "reads UTF-16", kRun}},

@@ -98,12 +98,14 @@ struct Sums {
   Eigen::Vector3d first = Eigen::Vector3d::Zero();    // m c
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();  // about the origin
   int count = 0;                                      // of inertials
+  bool is_moved = false;  // one of them is of a link that another one carries
 
   Eigen::Matrix3d about_center() const { return moments - of_point(mass, first / mass); }
 };
 
 /// Adds what urdfdom reads of an inertial. `X_BL` is the pose of the link in its body.
-void add(const LinkedModel& model, const urdf::Inertial& inertial, const Pose& X_BL, Sums& sums) {
+void add(const LinkedModel& model, const urdf::Inertial& inertial, const Pose& X_BL,
+         bool is_carried, Sums& sums) {
   if (!has_exact_name(model, inertial) || has_unread_mass(model, inertial)) return;
   const Pose X_BI = X_BL * to_pose(inertial.origin);
   const Quaternion& q = X_BI.orientation;
@@ -115,6 +117,7 @@ void add(const LinkedModel& model, const urdf::Inertial& inertial, const Pose& X
   sums.first += mass * center;
   sums.moments += of_point(mass, center);
   ++sums.count;
+  if (is_carried) sums.is_moved = true;
   if (has_unread_inertia(model, inertial)) return;
   Eigen::Matrix3d tensor;
   tensor << inertial.ixx.value_or(0), xy, xz,  //
@@ -135,20 +138,23 @@ bool is_sound(const Sums& sums) {
 }
 
 /// Whether rounding errors can make a moment negative that sdformat has added up from several
-/// inertials. Of 60 random pairs of point masses it refuses 37, of triples 15; at 1e-6 of the
-/// largest moment, none (run).
+/// inertials, or moved to another link. Of 60 random pairs of point masses it refuses 37, of
+/// triples 15; at 1e-6 of the largest moment, none (run).
 bool is_near_zero(const Sums& sums) {
   constexpr double kRounded = 1e-6;  // relative to the trace
-  if (sums.count < 2 || !(sums.mass > 0)) return false;
+  if ((sums.count < 2 && !sums.is_moved) || !(sums.mass > 0)) return false;
   const Eigen::Matrix3d about_center = sums.about_center();
-  if (!about_center.allFinite() || about_center.isZero(0)) return false;
+  if (!about_center.allFinite()) return false;
+  // What is left of point masses at one place: nothing, or rounding errors.
+  constexpr double kNothing = 1e-12;
+  if (about_center.norm() <= kNothing * sums.moments.norm()) return sums.is_moved;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(about_center, Eigen::EigenvaluesOnly);
   return std::fabs(solver.eigenvalues()[0]) < kRounded * about_center.trace();
 }
 
-/// By the topmost link of each body: the sums over its inertials.
-std::vector<Sums> sums_of(const LinkedModel& model, const std::vector<std::size_t>& body) {
-  std::vector<Pose> poses(body.size());  // poses of links in their bodies
+/// The poses of links in their bodies.
+std::vector<Pose> poses_in(const LinkedModel& model, const std::vector<std::size_t>& body) {
+  std::vector<Pose> poses(body.size());
   for (const LinkIndex link : model.tree.order) {
     const std::size_t i = to_size(link);
     if (body[i] == i) continue;
@@ -156,10 +162,16 @@ std::vector<Sums> sums_of(const LinkedModel& model, const std::vector<std::size_
     poses[i] = poses[to_size(*model.tree.joint_parent[above])] *
                to_pose(model.robot->joints[above].origin);
   }
+  return poses;
+}
+
+/// By the topmost link of each body: the sums over its inertials.
+std::vector<Sums> sums_of(const LinkedModel& model, const std::vector<std::size_t>& body) {
+  const std::vector<Pose> poses = poses_in(model, body);
   std::vector<Sums> sums(body.size());
   for (std::size_t i = 0; i < body.size(); ++i) {
     const std::optional<urdf::Inertial>& inertial = model.robot->links[i].inertial;
-    if (inertial) add(model, *inertial, poses[i], sums[body[i]]);
+    if (inertial) add(model, *inertial, poses[i], body[i] != i, sums[body[i]]);
   }
   return sums;
 }
@@ -298,15 +310,23 @@ std::vector<bool> fixed_to_root(const LinkedModel& model) {
   return result;
 }
 
+/// Only if all six numbers can be read.
+bool has_zero_tensor(const urdf::Inertial& inertial) {
+  const std::optional<std::array<double, 3>> moments = principal_moments(inertial);
+  return moments && are_zero(*moments);
+}
+
 std::vector<bool> alone_in_motion(const LinkedModel& model) {
   const std::vector<std::size_t> body = bodies(model);
-  std::vector<std::size_t> count(body.size(), 0);  // number of inertials, by the topmost link
-  for (std::size_t i = 0; i < body.size(); ++i) {
-    count[body[i]] += model.robot->links[i].inertial ? 1 : 0;
-  }
+  const auto counts = [&](std::size_t link) -> std::size_t {
+    const auto& inertial = model.robot->links[link].inertial;
+    return inertial && !has_zero_tensor(*inertial) ? 1 : 0;
+  };
+  std::vector<std::size_t> count(body.size(), 0);  // by the topmost link
+  for (std::size_t i = 0; i < body.size(); ++i) count[body[i]] += counts(i);
   std::vector<bool> result(body.size());
   for (std::size_t i = 0; i < body.size(); ++i) {
-    result[i] = model.tree.parent_joint[body[i]].has_value() && count[body[i]] == 1;
+    result[i] = model.tree.parent_joint[body[i]].has_value() && count[body[i]] == counts(i);
   }
   return result;
 }
@@ -329,6 +349,22 @@ std::vector<bool> near_zero_together(const LinkedModel& model) {
   std::vector<bool> result(body.size());
   for (std::size_t i = 0; i < body.size(); ++i) result[i] = is_near_zero(sums[body[i]]);
   return result;
+}
+
+std::vector<double> roundings_of_sdformat(const LinkedModel& model) {
+  const std::vector<std::size_t> body = bodies_of_sdformat(model);
+  const std::vector<Pose> poses = poses_in(model, body);
+  std::vector<std::size_t> links(body.size(), 0);  // by the topmost link
+  for (const std::size_t top : body) ++links[top];
+  std::vector<double> roundings(body.size(), 0);
+  for (std::size_t i = 0; i < body.size(); ++i) {
+    const std::optional<urdf::Inertial>& inertial = model.robot->links[i].inertial;
+    if (!inertial || links[body[i]] < 2) continue;
+    const Vector3 at = (poses[i] * to_pose(inertial->origin)).position;
+    const double square = at[0] * at[0] + at[1] * at[1] + at[2] * at[2];
+    roundings[i] = std::numeric_limits<double>::epsilon() * inertial->mass.value_or(0) * square;
+  }
+  return roundings;
 }
 
 std::vector<bool> reached_links(const LinkedModel& model) {

@@ -69,7 +69,8 @@ bool is_left_without_links(const LinkedModel& model);
 bool is_inertia_of_sdformat(double mass, const std::array<double, 3>& moments,
                             const std::array<double, 3>& products);
 
-/// By link: whether it is the only link with an inertial in a moving body.
+/// By link: whether no other link of its body, which moves, has an inertial whose tensor is not
+/// zero. MuJoCo leaves out those of zero.
 std::vector<bool> alone_in_motion(const LinkedModel& model);
 
 /// Findings in links for which this is true.
@@ -83,7 +84,11 @@ std::vector<bool> sound_together(const LinkedModel& model);
 /// close to 0 that rounding decides whether sdformat accepts the body.
 std::vector<bool> near_zero_together(const LinkedModel& model);
 
-/// A fact about such links.
+/// By link: how far the moments of its inertial are rounded when sdformat adds it to the others of
+/// its body, in kg m^2; 0 if there is no other link.
+std::vector<double> roundings_of_sdformat(const LinkedModel& model);
+
+/// A fact about links that are near_zero_together().
 inline constexpr Fact kGazeboAddsZeros{
     &readers::gazebo, Effect::refuses,
     "adds it to the inertias of links that are fixed to it, and refuses a sum that rounding makes "

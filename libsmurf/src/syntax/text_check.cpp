@@ -6,9 +6,11 @@
 #include <cstring>
 
 #include "base/findings/cases.hpp"
+#include "base/findings/file_cases.hpp"
 #include "base/findings/rules.hpp"
 #include "base/findings/uncertain.hpp"
 #include "base/text/utf8.hpp"
+#include "syntax/xml_prolog.hpp"
 
 namespace smurf {
 
@@ -51,12 +53,6 @@ std::size_t find_control_character(std::string_view text, TextFormat format) {
   return text.size();
 }
 
-/// Whether a text consists of NUL and blanks. Readers treat such an end of a file differently.
-bool is_padded(std::string_view text) {
-  using namespace std::string_view_literals;
-  return text.front() == '\0' && text.find_first_not_of("\0 \t\r\n"sv) == std::string_view::npos;
-}
-
 std::string hex(char c) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
   const auto byte = static_cast<unsigned char>(c);
@@ -67,6 +63,12 @@ std::string hex(char c) {
 
 std::uint32_t byte_order_mark_size(std::string_view text) {
   return text.starts_with(kByteOrderMark) ? kByteOrderMark.size() : 0;
+}
+
+std::string_view without_padding(std::string_view text) {
+  using namespace std::string_view_literals;
+  const std::size_t last = text.find_last_not_of("\0 \t\r\n"sv);
+  return text.substr(0, text.find('\0', last == std::string_view::npos ? 0 : last));
 }
 
 bool check_text(const SourceMap& sources, SourceId id, TextFormat format, DiagnosticSink& sink) {
@@ -84,16 +86,24 @@ bool check_text(const SourceMap& sources, SourceId id, TextFormat format, Diagno
                                              " is not allowed in a text file");
     diagnostic.help("delete it");
     // Readers of XML stop only at a NUL.
-    if (format == TextFormat::xml && is_padded(text.substr(control))) diagnostic.when(kUncertain);
-    if (format == TextFormat::yaml || text.find('\0') != std::string_view::npos) return false;
-    diagnostic.when(cases::kInUrdf);
+    const std::string_view content = without_padding(text);
+    if (format == TextFormat::yaml) return false;
+    if (content.find('\0') != std::string_view::npos) {
+      diagnostic.when(kUncertain);
+      return false;
+    }
+    diagnostic.when(control < content.size() ? cases::kInUrdf : cases::kPadding);
   }
   if (const std::optional<std::size_t> at = utf8::find_invalid(text)) {
     const auto begin = static_cast<std::uint32_t>(*at);
-    sink.report(rules::sml0003_invalid_utf8, {id, begin, begin + 1},
-                "the byte 0x" + hex(text[begin]) + " is not valid UTF-8 here")
-        .help("save the file as UTF-8");
-    return false;
+    Diagnostic& diagnostic =
+        sink.report(rules::sml0003_invalid_utf8, {id, begin, begin + 1},
+                    "the byte 0x" + hex(text[begin]) + " is not valid UTF-8 here");
+    diagnostic.help("save the file as UTF-8");
+    if (format == TextFormat::yaml) return false;
+    // Readers of XML take the bytes as they are.
+    diagnostic.when(cases::kInUrdf);
+    if (!other_encoding(text, id).empty()) diagnostic.when(cases::kOtherEncoding);
   }
   return true;
 }

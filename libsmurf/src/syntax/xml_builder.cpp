@@ -23,6 +23,20 @@ XmlBuilder::XmlBuilder(std::string_view text, SourceId id) : text_(text) {
   document_.attributes.reserve(std::min(count_of(text_, '='), text_.size() / 16 + 1));
 }
 
+xml::Document XmlBuilder::take() {
+  if (elements_of_root_ > 0) {
+    const auto first = document_.elements.begin() + static_cast<std::ptrdiff_t>(elements_of_root_);
+    document_.elements.erase(first, document_.elements.end());
+  }
+  return std::move(document_);
+}
+
+bool XmlBuilder::end_root() {
+  if (elements_of_root_ > 0) return true;
+  elements_of_root_ = document_.elements.size();
+  return false;
+}
+
 const Element& XmlBuilder::innermost() const {
   return document_.elements[static_cast<std::size_t>(open_.back().element)];
 }
@@ -30,7 +44,7 @@ const Element& XmlBuilder::innermost() const {
 void XmlBuilder::open(Element element) {
   const ElementId id{static_cast<std::uint32_t>(document_.elements.size())};
   if (open_.empty()) {
-    document_.root = id;
+    if (document_.root == kNoElement) document_.root = id;
   } else {
     OpenElement& parent = open_.back();
     element.parent = parent.element;

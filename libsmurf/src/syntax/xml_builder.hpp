@@ -14,7 +14,10 @@ class XmlBuilder {
  public:
   XmlBuilder(std::string_view text, SourceId id);
 
-  xml::Document take() { return std::move(document_); }
+  /// Without what was added behind end_root().
+  xml::Document take();
+  /// The root element has ended, and another begins: readers leave it out. Whether one did before.
+  bool end_root();
 
   /// The number of open elements.
   std::size_t depth() const { return open_.size(); }
@@ -61,6 +64,7 @@ class XmlBuilder {
   std::string_view text_;
   xml::Document document_;
   std::vector<OpenElement> open_;
+  std::size_t elements_of_root_ = 0;  ///< if another root element follows
 };
 
 }  // namespace smurf

@@ -75,13 +75,15 @@ void report_second_declaration(Span place, DiagnosticSink& sink) {
       .fixes.push_back({Applicability::safe, {{place, ""}}});
 }
 
-void report_second_root(Span place, std::string_view name, Span first, DiagnosticSink& sink) {
+bool report_second_root(Span place, std::string_view name, Span first, DiagnosticSink& sink) {
   Diagnostic& diagnostic =
       sink.report(rules::sml1006_xml_several_roots, place,
                   "a second root element " + quoted(name) + " begins after the first has ended");
   diagnostic.label(first, "the root element");
   // Such an element was a part of the first one, which is not whole without it.
-  if (is_one_of(name, {"link", "joint"})) diagnostic.when(kUncertain);
+  const bool is_part = is_one_of(name, {"link", "joint"});
+  if (is_part) diagnostic.when(kUncertain);
+  return !is_part;
 }
 
 void report_late_instruction(Span place, std::string_view text, DiagnosticSink& sink) {

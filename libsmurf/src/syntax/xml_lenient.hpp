@@ -30,7 +30,8 @@ void explain_open(Span place, std::string_view open, std::string_view written,
 void report_no_element(Span place, std::string_view text, const Circumstance& fault,
                        DiagnosticSink& sink);
 void report_second_declaration(Span place, DiagnosticSink& sink);
-void report_second_root(Span place, std::string_view name, Span first, DiagnosticSink& sink);
+/// Whether the first root element is whole without it.
+bool report_second_root(Span place, std::string_view name, Span first, DiagnosticSink& sink);
 /// Nothing separates the attribute from the one before it.
 void report_late_instruction(Span place, std::string_view text, DiagnosticSink& sink);
 void report_missing_blank(Span place, std::string_view name, DiagnosticSink& sink);

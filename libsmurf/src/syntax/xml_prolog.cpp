@@ -46,17 +46,16 @@ Span declared_encoding(std::string_view text, SourceId id, std::size_t begin) {
 }
 
 /// Reports a declared encoding other than UTF-8, because some readers decode the file with it.
-void check_encoding(std::string_view text, SourceId id, std::size_t begin, DiagnosticSink& sink) {
-  if (!text.substr(begin).starts_with(kDeclaration)) return;
-  const Span place = declared_encoding(text, id, begin);
-  if (place.source != id || place.empty()) return;
+void check_encoding(std::string_view text, SourceId id, DiagnosticSink& sink) {
+  const Span place = other_encoding(text, id);
+  if (place.empty()) return;
   const std::string written(text.substr(place.begin, place.end - place.begin));
   const std::string encoding = path::to_lower(written);
-  if (encoding == "utf-8" || encoding == "us-ascii" || encoding == "ascii") return;
   const bool is_wide = encoding.starts_with("utf-16") || encoding.starts_with("utf-32") ||
                        encoding.starts_with("ucs-");
   const bool is_ascii = utf8::ascii_prefix(text) == text.size();
-  if (!is_wide && is_ascii) return;  // the same bytes in every encoding that extends ASCII
+  if (!is_wide && is_ascii) return;      // the same bytes in every encoding that extends ASCII
+  if (utf8::find_invalid(text)) return;  // SML0003
   Diagnostic& diagnostic = sink.report(rules::sml1008_xml_encoding, place,
                                        "the file is UTF-8, but declares `" + written + "`");
   if (is_wide) diagnostic.when(cases::kWide);
@@ -173,10 +172,20 @@ void check_xml_version(Span declaration, std::string_view text, DiagnosticSink& 
   diagnostic.fixes.push_back({Applicability::safe, {{place, "1.0"}}});
 }
 
+Span other_encoding(std::string_view text, SourceId id) {
+  const std::size_t begin = byte_order_mark_size(text);
+  if (!text.substr(begin).starts_with(kDeclaration)) return {id, 0, 0};
+  const Span place = declared_encoding(text, id, begin);
+  if (place.source != id) return {id, 0, 0};
+  const std::string name = path::to_lower(text.substr(place.begin, place.end - place.begin));
+  const bool is_part = name == "utf-8" || name == "us-ascii" || name == "ascii";
+  return is_part ? Span{id, 0, 0} : place;
+}
+
 void check_xml_prolog(std::string_view text, SourceId id, DiagnosticSink& sink) {
   const std::size_t begin = byte_order_mark_size(text);
   check_position(text, id, begin, sink);
-  check_encoding(text, id, begin, sink);
+  check_encoding(text, id, sink);
 }
 
 std::optional<std::uint32_t> read_doctype(std::string_view text, Span start, DiagnosticSink& sink) {

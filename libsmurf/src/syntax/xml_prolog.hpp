@@ -15,6 +15,10 @@ namespace smurf {
 /// another encoding than UTF-8, the actual one (SML1008).
 void check_xml_prolog(std::string_view text, SourceId id, DiagnosticSink& sink);
 
+/// The name of the encoding that the XML declaration of a text names; empty if it names none, or
+/// UTF-8, or a part of it.
+Span other_encoding(std::string_view text, SourceId id);
+
 /// The place of anything other than attributes in an XML declaration (`<?xml ...?>`, recognised as
 /// in TinyXML); none for a sound declaration and for other instructions.
 std::optional<std::size_t> find_unsound(std::string_view instruction);

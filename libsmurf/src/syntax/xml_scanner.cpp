@@ -265,11 +265,10 @@ class XmlScanner {
                         is_blank ? cases::kBlankTag : cases::kNoTag, sink_);
       return;
     }
-    if (tree_.depth() == 0 && !tree_.elements().empty()) {
-      well_formed_ = false;
-      report_second_root(element.name_span(), element.name(), tree_.elements().front().name_span(),
-                         sink_);
-      return;
+    if (is_behind() && !tree_.end_root()) {
+      well_formed_ = report_second_root(element.name_span(), element.name(),
+                                        tree_.elements().front().name_span(), sink_);
+      if (!well_formed_) return;
     }
     if (tree_.depth() >= limits_.xml_depth) {
       too_much(rules::sml0014_nesting_too_deep, element.name_span(),
@@ -493,7 +492,7 @@ class XmlScanner {
 
 std::optional<xml::Document> scan_xml(const SourceMap& sources, SourceId id, const Limits& limits,
                                       DiagnosticSink& sink) {
-  return XmlScanner(sources.text(id), id, limits, sink).run();
+  return XmlScanner(without_padding(sources.text(id)), id, limits, sink).run();
 }
 
 }  // namespace smurf

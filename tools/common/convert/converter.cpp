@@ -269,7 +269,8 @@ std::string count_by_section(std::span<const Diagnostic> losses) {
 
 /// Shows findings that make the result wrong and findings of the converter, errors first; counts
 /// the others.
-std::string Conversion::render_for_people(const Report& report, const LossOf& loss_of) {
+std::string Conversion::render_for_people(const Report& report, const LossOf& loss_of,
+                                          bool is_converted) {
   const SourceMap& sources = session_.loaded_sources();
   const TextStyle style = style_for(Stream::error, options_.color);
   const bool are_packages_named = names_lost_package(report.diagnostics);
@@ -280,8 +281,7 @@ std::string Conversion::render_for_people(const Report& report, const LossOf& lo
       Diagnostic shown = finding;
       if (loss) {
         shown.notes.push_back(
-            (options_.force ? "converted because of --force, although " : "not converted: ") +
-            *loss);
+            (is_converted ? "converted because of --force, although " : "not converted: ") + *loss);
       }
       told.push_back(std::move(shown));
     } else {
@@ -301,12 +301,14 @@ std::string Conversion::render_for_people(const Report& report, const LossOf& lo
   return text;
 }
 
-ExitCode Conversion::report(Report report, const LossOf& loss_of) {
+ExitCode Conversion::report(Report report, const LossOf& loss_of, const Refusal& refusal) {
   why_ = why_not_converted(report.diagnostics, loss_of);
   ExitCode verdict = why_.empty() ? kDone : kFindings;
   if (verdict == kDone) verdict = judge(report.summary, options_.threshold);
   if (verdict != kDone && why_.empty()) why_ = "has findings that reach --fail-on";
-  if (options_.reports.empty()) write_error(render_for_people(report, loss_of));
+  if (options_.reports.empty()) {
+    write_error(render_for_people(report, loss_of, options_.force && !refusal));
+  }
   std::vector<Diagnostic>& diagnostics = report.diagnostics;
   if (options_.quiet) {
     std::erase_if(diagnostics, [](const Diagnostic& d) { return d.severity != Severity::error; });

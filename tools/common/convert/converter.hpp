@@ -69,8 +69,9 @@ class Conversion {
   std::optional<xml::Document> load_srdf(const std::string& path, Loaded& beside);
 
   /// Reports the findings of a conversion. kFindings if one of them makes the result wrong, or
-  /// reaches the threshold; why() returns the reason.
-  ExitCode report(Report report, const LossOf& loss_of);
+  /// reaches the threshold; why() returns the reason. `refusal` is that of the conversion, if it
+  /// has one despite --force.
+  ExitCode report(Report report, const LossOf& loss_of, const Refusal& refusal = {});
   /// The same for an expansion that is the result: only its failure is a reason to refuse it.
   ExitCode report(const LoadedExpansion& loaded, std::vector<Diagnostic> found);
   const std::string& why() const { return why_; }
@@ -103,7 +104,7 @@ class Conversion {
   CheckSettings settings() const;
   std::optional<std::string> open(const std::string& path);
   bool is_accepted(const std::string& path) const;
-  std::string render_for_people(const Report& report, const LossOf& loss_of);
+  std::string render_for_people(const Report& report, const LossOf& loss_of, bool is_converted);
 
   std::string_view tool_;
   const ConverterOptions& options_;

@@ -420,7 +420,7 @@ class Loader {
     };
     constexpr std::string_view kScheme = "package://";
     for (const MeshReference& mesh : model_.meshes) {
-      if (!mesh.filename.starts_with(kScheme)) continue;
+      if (!mesh.filename.starts_with(kScheme) || mesh.filename.ends_with('/')) continue;
       const std::string rest = mesh.filename.substr(kScheme.size());
       const std::size_t slash = rest.find('/');
       if (slash == std::string::npos) continue;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "base/findings/cases.hpp"
+#include "base/findings/file_cases.hpp"
 #include "base/findings/readers.hpp"
 #include "base/findings/rules.hpp"
 #include "base/findings/uncertain.hpp"
@@ -10,8 +11,10 @@ namespace {
 constexpr Fact kFacts[] = {
     {&readers::urdf, Effect::takes, "keeps the byte inside names and values",
      "urdfdom, sdformat, DART, MuJoCo, run", when(cases::kInUrdf)},
-    {&readers::urdf, Effect::refuses, "refuses the file, or stops reading at the NUL",
-     "urdfdom, sdformat, DART, MuJoCo, run", when(kUncertain)},
+    {&readers::urdf, Effect::takes, "stops reading at the NUL, where the robot has ended",
+     "urdfdom, sdformat, DART, MuJoCo, Drake, Pinocchio, PyBullet, run", when(cases::kPadding)},
+    {&readers::pybullet, Effect::refuses, "leaves out the rest of the line, whatever it is", kRun,
+     when(kUncertain)},
     {&readers::urdf, Effect::refuses, "refuses the file, or stops reading there", "urdfdom, run"},
     {&readers::mars, Effect::changes, "keeps the byte inside names and values",
      "yaml-cpp 0.7, run"},

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -14,7 +16,7 @@ namespace {
 constexpr Circumstance kFixed{"fixed"};
 constexpr Circumstance kMergedTwice{"merged twice"};
 constexpr Circumstance kRing{"ring"};
-constexpr Circumstance kSameParent{"same parent"};
+constexpr Circumstance kParentFirst{"parent first"};
 
 /// True when the link is the other one or a descendant of it.
 bool is_below(const LinkedModel& model, LinkIndex link, LinkIndex other) {
@@ -48,9 +50,13 @@ class MergedLinks {
     }
   }
 
+  /// The joint to a link that urdfdom keeps.
+  const urdf::Joint* kept(LinkIndex link) const { return last_[to_size(link)]; }
+
   bool contains(LinkIndex link) const {
-    const urdf::Joint* last = last_[to_size(link)];
+    const urdf::Joint* last = kept(link);
     return last != nullptr && last->type == urdf::JointType::fixed &&
+           last->parent.value_or("") != "world" &&  // which is no link in SDF
            !has_motion_below_[to_size(link)];
   }
 
@@ -59,10 +65,45 @@ class MergedLinks {
   std::vector<bool> has_motion_below_;
 };
 
+/// By link: when Pinocchio comes to it first, which goes down the joints in alphabetical order.
+std::vector<std::size_t> visits(const LinkedModel& model) {
+  const std::size_t joints = model.robot->joints.size();
+  std::vector<std::size_t> by_name(joints);
+  std::iota(by_name.begin(), by_name.end(), std::size_t{0});
+  std::stable_sort(by_name.begin(), by_name.end(), [&](std::size_t a, std::size_t b) {
+    return model.robot->joints[a].name.value_or("") < model.robot->joints[b].name.value_or("");
+  });
+  std::vector<std::vector<LinkIndex>> below(model.robot->links.size());
+  for (const std::size_t joint : by_name) {
+    const auto parent = model.tree.joint_parent[joint], child = model.tree.joint_child[joint];
+    if (parent && child) below[to_size(*parent)].push_back(*child);
+  }
+  std::vector<std::size_t> visit(below.size(), below.size());
+  std::size_t count = 0;
+  std::vector<LinkIndex> next(model.tree.roots.rbegin(), model.tree.roots.rend());
+  while (!next.empty()) {
+    const std::size_t link = to_size(next.back());
+    next.pop_back();
+    if (visit[link] != below.size()) continue;
+    visit[link] = count++;
+    next.insert(next.end(), below[link].rbegin(), below[link].rend());
+  }
+  return visit;
+}
+
+/// Whether Pinocchio knows the parent of the joint that urdfdom keeps when it comes to the link.
+bool is_parent_first(const LinkedModel& model, const urdf::Joint* kept, LinkIndex link,
+                     const std::vector<std::size_t>& visit) {
+  const auto parent =
+      kept == nullptr || !kept->parent ? std::nullopt : model.link_names.find(*kept->parent);
+  return parent && visit[to_size(*parent)] < visit[to_size(link)];
+}
+
 void check(const LinkedModel& model, Findings& findings) {
   if (!model.robot || model.tree.roots.empty()) return;  // a loop through the root has its own rule
   const std::vector<urdf::Joint>& joints = model.robot->joints;
-  std::optional<MergedLinks> merged;  // computed when it is needed
+  std::optional<MergedLinks> merged;  // computed when they are needed
+  std::vector<std::size_t> visit;
   const std::optional<LinkIndex> missed = missed_root(model);
   for (const std::size_t i : second_parents(model)) {
     const LinkIndex child = *model.tree.joint_child[i];
@@ -72,10 +113,11 @@ void check(const LinkedModel& model, Findings& findings) {
                         title(model.link(child)) + " is already the child of " + title(other));
     if (other.type == urdf::JointType::fixed) diagnostic.when(kFixed);
     if (is_below(model, *model.tree.joint_parent[i], child)) diagnostic.when(kRing);
-    if (other.parent && joints[i].parent && *other.parent == *joints[i].parent) {
-      diagnostic.when(kSameParent);
+    if (!merged) {
+      merged.emplace(model);
+      visit = visits(model);
     }
-    if (!merged) merged.emplace(model);
+    if (is_parent_first(model, merged->kept(child), child, visit)) diagnostic.when(kParentFirst);
     if (merged->contains(child)) diagnostic.when(kMergedTwice);
     diagnostic.caret = "a second parent";
     diagnostic.label(other.child.span, "the first joint to this link");
@@ -110,8 +152,9 @@ constexpr Fact kFacts[] = {
     {&readers::isaac, Effect::refuses, "follows the ring until Python stops it", kRun, when(kRing)},
     {&readers::drake, Effect::loses, "leaves out a floating joint", kRun, when(kInFloating)},
     {&readers::drake, Effect::refuses, "refuses the model when it is finalised", kRun},
+    {&readers::pinocchio, Effect::crashes, "ends the process", kRun, when(kRing, kParentFirst)},
     {&readers::pinocchio, Effect::changes, "adds the child and what is fixed to it twice", kRun,
-     when(kSameParent)},
+     when(kParentFirst)},
     {&readers::pinocchio, Effect::refuses, "finds no body of that name, and refuses the file",
      kRun},
 };

@@ -94,6 +94,8 @@ constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::crashes, "crashes", kRun},
     {&readers::dart, Effect::crashes, "never terminates", kRun},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},
+    {&readers::pinocchio, Effect::refuses, "finds no root link, and refuses the file", kRun,
+     when(kOnlyRoot)},
     {&readers::pinocchio, Effect::loses, "does not reach the link from the root", kRun,
      when(kApart)},
     {&readers::pinocchio, Effect::crashes, "ends the process", kRun},

@@ -5,7 +5,7 @@
 namespace smurf::rules::sml1305_name_empty_file {
 namespace {
 
-constexpr Circumstance kFixed{"fixed"};
+constexpr Circumstance kMerged{"merged"};
 
 void check(const LinkedModel& model, Findings& findings) {
   for_each_link(model, [&](const urdf::Link& link) {
@@ -17,7 +17,10 @@ void check(const LinkedModel& model, Findings& findings) {
     if (joint.name && joint.name->empty()) {
       Diagnostic& diagnostic =
           findings.report(tag_name(model, joint.element), "a joint has an empty name");
-      if (joint.type == urdf::JointType::fixed) diagnostic.when(kFixed);
+      // sdformat has no link `world` into which it could merge another.
+      const bool is_merged =
+          joint.type == urdf::JointType::fixed && joint.parent.value_or("") != "world";
+      if (is_merged) diagnostic.when(kMerged);
     }
   });
 }
@@ -29,7 +32,7 @@ constexpr Fact kFacts[] = {
     {&readers::phobos, Effect::refuses, "stops with an exception", "Phobos a613e31, run"},
     {&readers::pybullet, Effect::refuses, "refuses the whole robot", "Bullet UrdfParser.cpp, run"},
     {&readers::gazebo, Effect::takes, "merges the two into one link without a joint", kRun,
-     at("joint").when(kFixed)},
+     at("joint").when(kMerged)},
     {&readers::gazebo, Effect::refuses, "refuses a joint without a name", kRun, at("joint")},
     {&readers::mujoco, Effect::takes, "accepts a joint without a name", kRun, at("joint")},
     {&readers::mujoco, Effect::refuses, "refuses the file", kRun},

@@ -14,6 +14,13 @@ namespace {
 
 constexpr Circumstance kShort{"not exactly 0"};
 
+/// Whether a reader that stops at the first unreadable character reads 0: in `0;`.
+bool begins_with_zero(std::string_view word) {
+  const std::size_t end = word.find_first_not_of("0.", word.find_first_not_of("+-"));
+  const std::string_view read = word.substr(0, end);
+  return read.find('0') != read.npos && (end == word.npos || !is_digit(word[end]));
+}
+
 /// Whether all numbers of the axis are 0 or too small for a double, which most readers read as 0.
 bool vanishes(const LinkedModel& model, const urdf::Joint& joint) {
   const xml::View element = xml::View(model.robot->document, joint.element).child("axis");
@@ -22,7 +29,7 @@ bool vanishes(const LinkedModel& model, const urdf::Joint& joint) {
   std::size_t place = 0;
   for (std::string_view word = next_word(numbers->value(), place); !word.empty();
        word = next_word(numbers->value(), place)) {
-    if (!is_underflow(word) && parse_number(word) != 0.0) return false;
+    if (!is_underflow(word) && !begins_with_zero(word)) return false;
   }
   return true;
 }

@@ -10,10 +10,12 @@ namespace {
 
 constexpr Circumstance kMoving{"moving"};
 
-/// The first entry that urdfdom cannot read. It leaves all six at 0 then.
-std::optional<Span> find_unread(const urdf::Inertial& inertial) {
+/// The first entry that urdfdom cannot read, or the tensor that lacks one. It leaves all six at 0
+/// then.
+std::optional<Span> find_unread(const LinkedModel& model, const urdf::Inertial& inertial) {
   for (const Field<double>* entry : entries_of(inertial)) {
     if (entry->written && !*entry) return entry->span;
+    if (!entry->written) return inertia_place(model, inertial);
   }
   return std::nullopt;
 }
@@ -26,7 +28,7 @@ void check(const LinkedModel& model, Findings& findings) {
   for_each_link(model, [&](const urdf::Link& link) {
     const std::size_t at = index++;
     if (!link.inertial || link.inertial->mass.value_or(0) <= 0) return;
-    if (const auto place = find_unread(*link.inertial)) {
+    if (const auto place = find_unread(model, *link.inertial)) {
       if (near_zero.empty()) near_zero = near_zero_together(model);
       if (near_zero[at]) findings.add_consequence(*place);
       return;

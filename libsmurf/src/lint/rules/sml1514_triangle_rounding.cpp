@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "base/findings/readers.hpp"
 #include "base/findings/uncertain.hpp"
@@ -38,25 +40,30 @@ const Field<double>* largest_of_diagonal(const urdf::Inertial& inertial) {
   return largest;
 }
 
-bool is_fixed_to_others(const LinkedModel& model, std::size_t link) {
-  const auto is_fixed = [&](JointIndex joint) {
-    return model.joint(joint).type == urdf::JointType::fixed;
+/// Whether something is so heavy or so far away that moments can be lost beside it.
+bool has_extreme_number(const urdf::Robot& robot) {
+  constexpr double kExtreme = 1e4;  // kg, m
+  const auto is_far = [](const urdf::Origin& origin) {
+    return ranges::any_of(origin.xyz.value_or(Vector3{}),
+                          [](double value) { return std::fabs(value) > kExtreme; });
   };
-  const auto above = model.tree.parent_joint[link];
-  return (above && is_fixed(*above)) || ranges::any_of(model.tree.child_joints[link], is_fixed);
+  const auto is_extreme = [&](const urdf::Link& link) {
+    return link.inertial &&
+           (link.inertial->mass.value_or(0) > kExtreme || is_far(link.inertial->origin));
+  };
+  return ranges::any_of(robot.links, is_extreme) ||
+         ranges::any_of(robot.joints, [&](const urdf::Joint& one) { return is_far(one.origin); });
 }
 
 /// sdformat adds up the inertials of a body about a point other than their centre. Moments smaller
 /// than the rounding errors of that sum are lost.
 void check_heavy(const LinkedModel& model, Findings& findings) {
+  if (!model.robot || !has_extreme_number(*model.robot)) return;
+  const std::vector<double> roundings = roundings_of_sdformat(model);
   std::size_t index = 0;
   for_each_link(model, [&](const urdf::Link& link) {
     const std::size_t at = index++;
-    if (!link.inertial || !is_fixed_to_others(model, at)) return;
-    const Vector3 center = link.inertial->origin.xyz.value_or(Vector3{});
-    const double square = center[0] * center[0] + center[1] * center[1] + center[2] * center[2];
-    const double rounding = kEpsilon * link.inertial->mass.value_or(0) * square;
-    if (!(rounding > link.inertial->ixx.value_or(0))) return;
+    if (!link.inertial || !(roundings[at] > link.inertial->ixx.value_or(0))) return;
     const auto moments = principal_moments(*link.inertial);
     if (!moments || !is_positive_definite(*moments) || triangle_excess(*moments) > 0) return;
     findings
@@ -107,7 +114,9 @@ constexpr Fact kFacts[] = {
     {&readers::gazebo, Effect::refuses,
      "adds it to the body that it is fixed to, and may report error E18, an invalid inertia", kRun,
      when(kLost, kUncertain)},
-    {&readers::mujoco, Effect::takes, "keeps the moments", kRun, when(kLost)},
+    {&readers::mujoco, Effect::refuses,
+     "adds it to the body that it is fixed to, and may refuse the sum", "4.0.0, run",
+     when(kLost, kUncertain)},
     {&readers::mujoco, Effect::changes, "balances the moments, because the file tells it to", kRun,
      when(kBalanced)},
     {&readers::mujoco, Effect::refuses, "refuses the inertia: it has no tolerance",

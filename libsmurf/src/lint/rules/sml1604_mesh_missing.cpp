@@ -98,13 +98,19 @@ bool is_uri_without_host(std::string_view filename) {
   return filename.starts_with("file:") && !filename.starts_with("file://");
 }
 
+bool names_folder(const MeshReference& mesh) {
+  const bool is_file = mesh.filename.ends_with('/') && mesh.filename.starts_with(mesh.meant) &&
+                       !mesh.meant.empty();  // `arm.stl/`
+  return !is_file && is_one_of(path::file_name(mesh.filename), {"", ".", ".."});
+}
+
 void report_file(const MeshReference& mesh, const LinkedModel& model, std::size_t lost_beside,
                  Findings& findings) {
   Diagnostic& diagnostic =
       findings.report(mesh.span, std::string(mesh.is_texture ? "texture" : "mesh") +
                                      " file not found: " + quoted(mesh.filename));
   diagnostic.when(mesh.is_texture ? kTexture : kMesh);
-  if (is_one_of(path::file_name(mesh.filename), {"", ".", ".."})) diagnostic.when(kFolder);
+  if (names_folder(mesh)) diagnostic.when(kFolder);
   if (mesh.path.empty()) {
     diagnostic.caret = why_not_found(model, package_of(mesh.filename));
   } else if (mesh.path != mesh.filename) {

@@ -7,6 +7,9 @@
 namespace smurf::rules::sml1803_number_nan_file {
 namespace {
 
+constexpr std::string_view kBody = "refuses a moving body of such an inertia";
+constexpr std::string_view kRuns = "2.3.7, 3.3.7 and 4.0.0, run";
+
 constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::changes, "computes with it until nothing has a position",
      "Bullet UrdfParser.cpp (atof), run"},
@@ -22,16 +25,22 @@ constexpr Fact kFacts[] = {
      at("inertia/@ixz").when(kCarried).unless(kStill).before({3, 1, 5})},
     {&readers::mujoco, Effect::refuses, "refuses the inertia", "3.1.3, run",
      at("inertia/@izz").when(kCarried).unless(kStill).before({3, 1, 5})},
+    {&readers::mujoco, Effect::refuses, kBody, kRuns, at("inertia").when(kCarried, kAlone)},
+    {&readers::mujoco, Effect::refuses, kBody, kRuns, at("mass").when(kCarried, kAlone)},
+    {&readers::mujoco, Effect::refuses, kBody, "4.0.0, run",
+     at("inertial/origin/@rpy").when(kCarried, kAlone).since({4, 0})},
+    {&readers::mujoco, Effect::refuses, kBody, "2.3.7, run",
+     at("inertial/origin/@rpy").when(kCarried, kAlone).before({3, 0})},
+    {&readers::mujoco, Effect::refuses, kBody, kRuns,
+     at("inertial/origin/@xyz").when(kCarried, kAlone)},
     {&readers::mujoco, Effect::changes, "computes with it where the body does not move by itself",
      kRun, when(kCarried)},
     {&readers::mujoco, Effect::changes, "computes with it where other bodies move with it",
      "3.3.7, run", at("inertia/@ixx").unless(kAlone).before({3, 14})},
     {&readers::mujoco, Effect::changes, "computes with it where other bodies move with it",
      "3.2.3, run", at("mass").unless(kAlone).before({3, 2, 4})},
-    {&readers::mujoco, Effect::refuses, "refuses a moving body of such an inertia", "3.13.0, run",
-     at("inertia").before({3, 14})},
-    {&readers::mujoco, Effect::refuses, "refuses a moving body of such an inertia", kRun,
-     at("inertial/origin/@rpy").since({3, 14})},
+    {&readers::mujoco, Effect::refuses, kBody, "3.13.0, run", at("inertia").before({3, 14})},
+    {&readers::mujoco, Effect::refuses, kBody, kRun, at("inertial/origin/@rpy").since({3, 14})},
     {&readers::mujoco, Effect::refuses, "refuses a moving body of such a mass", kRun, at("mass")},
     {&readers::mujoco, Effect::refuses, "refuses a moving body without inertia", kRun,
      at("inertia").when(kAlone)},

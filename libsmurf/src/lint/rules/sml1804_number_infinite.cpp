@@ -2,12 +2,16 @@
 #include "base/findings/cases.hpp"
 #include "base/findings/readers.hpp"
 #include "base/findings/rules.hpp"
+#include "base/findings/uncertain.hpp"
 #include "readers/circumstances.hpp"
 
 namespace smurf::rules::sml1804_number_infinite_file {
 namespace {
 
 constexpr std::string_view kNotPositive = "refuses a size that is not positive";
+
+constexpr std::string_view kBody = "refuses a moving body of such an inertia";
+constexpr std::string_view kRuns = "2.3.7, 3.3.7 and 4.0.0, run";
 
 constexpr Fact kFacts[] = {
     {&readers::pybullet, Effect::takes, "reads infinity", "Bullet UrdfParser.cpp (atof), run"},
@@ -23,12 +27,20 @@ constexpr Fact kFacts[] = {
      at("inertia/@ixx").before({3, 1, 5})},
     {&readers::mujoco, Effect::refuses, "refuses the inertia", "3.1.3, run",
      at("inertia/@izz").before({3, 1, 5})},
+    {&readers::mujoco, Effect::refuses, kBody, kRuns, at("inertia").when(kCarried, kAlone)},
+    {&readers::mujoco, Effect::refuses, kBody, kRuns, at("mass").when(kCarried, kAlone)},
+    {&readers::mujoco, Effect::refuses, kBody, "4.0.0, run",
+     at("inertial/origin/@rpy").when(kCarried, kAlone).since({4, 0})},
+    {&readers::mujoco, Effect::refuses, kBody, "2.3.7, run",
+     at("inertial/origin/@rpy").when(kCarried, kAlone).before({3, 0})},
+    {&readers::mujoco, Effect::refuses, kBody, kRuns,
+     at("inertial/origin/@xyz").when(kCarried, kAlone)},
     {&readers::mujoco, Effect::changes, "computes with it where the body does not move by itself",
      kRun, when(kCarried)},
-    {&readers::mujoco, Effect::refuses, "refuses a moving body of such an inertia", kRun,
-     at("inertial/origin/@rpy").since({3, 14})},
-    {&readers::mujoco, Effect::refuses, "refuses a moving body of such an inertia", kRun,
-     at("inertia")},
+    {&readers::mujoco, Effect::refuses, "may refuse a moving body of such an inertia", "4.0.0, run",
+     at("inertial/origin/@xyz").when(kUncertain).since({4, 0})},
+    {&readers::mujoco, Effect::refuses, kBody, kRun, at("inertial/origin/@rpy").since({3, 14})},
+    {&readers::mujoco, Effect::refuses, kBody, kRun, at("inertia")},
     {&readers::mujoco, Effect::refuses, kNotPositive, kRun, at("@size").when(cases::kZeroOrLess)},
     {&readers::mujoco, Effect::refuses, kNotPositive, kRun, at("@radius").when(cases::kZeroOrLess)},
     {&readers::mujoco, Effect::refuses, kNotPositive, kRun, at("@length").when(cases::kZeroOrLess)},

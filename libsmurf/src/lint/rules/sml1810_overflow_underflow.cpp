@@ -15,8 +15,7 @@ constexpr std::string_view kComputes = "reads the number, and computes with it";
 
 constexpr std::string_view kComputesStill = "computes with it where nothing moves";
 
-constexpr std::string_view kTooSmall =
-    "refuses so small a moment, or a product that it cannot turn into moments";
+constexpr std::string_view kTooSmall = "refuses so small a moment";
 
 constexpr Fact kFacts[] = {
     {&readers::dart, Effect::crashes, kAsserts, kRun,
@@ -66,7 +65,13 @@ constexpr Fact kFacts[] = {
     {&readers::mujoco, Effect::changes, "reads 0", "4.0.0, run",
      when(cases::kUnderflow).since({4, 0})},
     {&readers::mujoco, Effect::refuses, kTooSmall, "4.0.0, run",
-     at("inertia/@").when(cases::kSubnormal).since({4, 0})},
+     at("inertia/@ixx").when(cases::kSubnormal).since({4, 0})},
+    {&readers::mujoco, Effect::refuses, kTooSmall, "4.0.0, run",
+     at("inertia/@iyy").when(cases::kSubnormal).since({4, 0})},
+    {&readers::mujoco, Effect::refuses, kTooSmall, "4.0.0, run",
+     at("inertia/@izz").when(cases::kSubnormal).since({4, 0})},
+    {&readers::mujoco, Effect::refuses, "refuses a product without moments", "4.0.0, run",
+     at("inertia/@").when(cases::kSubnormal, kWithoutMoments).since({4, 0})},
     {&readers::mujoco, Effect::refuses, "refuses a moving body of so small a mass", "4.0.0, run",
      at("mass/@value").when(cases::kSubnormal, kAlone).since({4, 0})},
     {&readers::mujoco, Effect::refuses, kCannotRead, "4.0.0, run",
@@ -102,6 +107,8 @@ constexpr Fact kFacts[] = {
      kRun, at("cylinder").when(cases::kUnderflow)},
     {&readers::drake, Effect::refuses, "refuses a scale below 1e-8", kRun,
      at("@scale").when(cases::kUnderflow)},
+    {&readers::drake, Effect::refuses, "refuses a body of so small a mass", kRun,
+     at("mass/@value").when(cases::kSubnormal)},
     {&readers::drake, Effect::changes, "reads 0", kRun, when(cases::kUnderflow)},
     {&readers::phobos, Effect::changes, "reads 0", kRun, when(cases::kUnderflow)},
     {&readers::phobos, Effect::takes, "reads the number", kRun, when(cases::kSubnormal)},

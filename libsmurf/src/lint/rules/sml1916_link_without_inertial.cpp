@@ -59,11 +59,24 @@ bool loses_all(const LinkedModel& model) {
   return !has_fixed_mass(model, root) || (is_light && is_left_without_links(model));
 }
 
+/// The topmost link without an inertial, if all is lost with it.
+std::optional<std::size_t> first_lost(const LinkedModel& model) {
+  if (model.tree.roots.size() != 1 || !loses_all(model)) return std::nullopt;
+  const LinkIndex root = model.tree.roots.front();
+  if (model.link(root).name.value_or("") != "world") return to_size(root);
+  for (const JointIndex below : model.tree.child_joints[to_size(root)]) {
+    const LinkIndex link = *model.tree.joint_child[to_size(below)];
+    if (!model.link(link).inertial) return to_size(link);
+  }
+  return std::nullopt;
+}
+
 /// One finding per file, because exporters leave the inertials of all frames out.
 void check(const LinkedModel& model, Findings& findings) {
   if (model.robot) check_unread_masses(model, findings);
   if (!model.robot || is_without_mass(model)) return;
-  const bool is_root_lost = model.tree.roots.size() == 1 && loses_all(model);
+  // The root speaks for the others, if all is lost with it.
+  const std::optional<std::size_t> first = first_lost(model);
   std::optional<BodiesOfMujoco> bodies;  // computed when they are needed
   const auto report = [&](std::size_t index) {
     const urdf::Link& link = model.robot->links[index];
@@ -71,15 +84,13 @@ void check(const LinkedModel& model, Findings& findings) {
     if (!bodies) bodies.emplace(model);
     Diagnostic& finding = findings.report_habit(name_place(model, link),
                                                 title(link) + " has no inertial", "such links");
-    if (is_root_lost && index == to_size(model.tree.roots.front())) finding.when(kRoot);
+    if (index == first) finding.when(kRoot);
     if (bodies->is_massless(index)) finding.when(kMasslessBody);
     if (bodies->adds_mass_of_shapes(index)) finding.when(kOfShapes);
   };
-  // The root speaks for the others, if all is lost with it.
-  const std::size_t first = is_root_lost ? to_size(model.tree.roots.front()) : 0;
-  if (is_root_lost) report(first);
+  if (first) report(*first);
   for (std::size_t i = 0; i < model.robot->links.size(); ++i) {
-    if (!is_root_lost || i != first) report(i);
+    if (i != first) report(i);
   }
 }
 
