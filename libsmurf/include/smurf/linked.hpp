@@ -89,7 +89,6 @@ struct MeshReference {
   /// Whether no package is known by the name in a package://NAME/REST, and the file was found in a
   /// folder above the URDF.
   bool is_package_guessed = false;
-  bool is_package_given = false;  ///< the caller named the folder of the package
   /// Whether the package was found elsewhere: the folder of the URDF and the four above it have no
   /// file NAME/REST.
   bool is_package_elsewhere = false;

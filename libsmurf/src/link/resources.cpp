@@ -89,7 +89,6 @@ class Resolver {
       Packages::Place place = packages_.find(filename.substr(kPackage.size()));
       if (reference != nullptr) {
         reference->is_package_guessed = place.is_guess;
-        reference->is_package_given = place.is_given;
         reference->is_package_elsewhere = place.is_elsewhere;
         reference->package_there = std::move(place.package);
       }
