@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <cstddef>
-#include <cstdint>
 #include <set>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include "base/text/suggest.hpp"
-#include "base/text/words.hpp"
+#include "link/surroundings/frame_names.hpp"
 #include "lint/companions/controllers.hpp"
 #include "lint/companions/frames.hpp"
 #include "lint/companions/launch.hpp"
