@@ -7,6 +7,20 @@ sys.path.insert(0, str(pathlib.Path(__file__).parent))
 import cli  # noqa: E402
 from cli import ARM_MOTORS as MOTORS, ARM_SMURF as SMURF, ARM_URDF as URDF  # noqa: E402
 
+MANIFEST = """<package format="3"><name>bot</name><version>1.0.0</version><description>d</description>
+<maintainer email="a@example.org">A</maintainer><license>BSD</license></package>
+"""
+ROBOT = '<robot name="a">\n<link name="chassis"/>\n<link name="tool"/>\n' \
+        '<joint name="j" type="fixed"><parent link="chassis"/><child link="tool"/></joint>\n</robot>\n'
+NAV2 = "bot_navigator:\n  ros__parameters:\n    robot_base_frame: chassis\n    odom_frame: odom\n"
+RVIZ = "Visualization Manager:\n  Displays:\n  - Links:\n      tool: {Alpha: 1}\n  Global Options:\n    Fixed Frame: odom\n"
+LAUNCH = """<launch>
+  <node pkg="robot_state_publisher" exec="robot_state_publisher">
+    <param name="robot_description" value="$(command 'xacro $(find-pkg-share bot)/urdf/a.urdf')" type="str"/>
+  </node>
+  <node pkg="nav2_bringup" exec="nav"><param from="$(find-pkg-share bot)/config/nav2.yaml"/></node>
+</launch>
+"""
 SRDF = '<robot name="arm">\n  <passive_joint name="elbow"/>\n</robot>\n'
 SCENE = "entities:\n- {name: one, file: arm/smurf/arm.smurf}\n" \
         "- {name: two, file: arm/smurf/arm.smurf, position: [1, 0, 0], parent: 'one::forearm'}\n"
@@ -110,6 +124,68 @@ class Rename(cli.CliTest):
         (self.folder / "arm/smurf/arm_motors.yml").symlink_to(self.folder / "elsewhere/arm_motors.yml")
         (self.folder / "arm/.git").mkdir()
         self.refused("", "--rename", "joint:elbow=x", "--allow-outside", "arm")
+
+
+class RenameAround(cli.CliTest):
+    """Files around two robots with the same names: nothing says whose they are."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("bot/package.xml", MANIFEST)
+        self.write("bot/urdf/a.urdf", ROBOT)
+        self.write("bot/urdf/b.urdf", ROBOT.replace('"a"', '"b"'))
+        self.write("bot/config/nav2.yaml", NAV2)
+        self.write("bot/rviz/bot.rviz", RVIZ)
+
+    def texts(self):
+        return [self.read(f"bot/{name}") for name in ("urdf/a.urdf", "urdf/b.urdf", "config/nav2.yaml", "rviz/bot.rviz")]
+
+    def rename(self, code, name, *more, of="bot/urdf/a.urdf"):
+        done = self.run_tool("--rename", f"link:{name}=x", *more, of)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done.stderr
+
+    def test_of_one_robot(self):
+        (self.folder / "bot/urdf/b.urdf").unlink()
+        self.assertNotIn("still named", self.rename(0, "chassis"))
+        self.assertEqual(self.read("bot/config/nav2.yaml"), NAV2.replace("chassis", "x"))
+        self.expect(0, "--rename", "link:x=base", "bot")
+        self.assertNotIn("still named", self.rename(0, "tool", of="bot"))
+        self.assertEqual(self.read("bot/rviz/bot.rviz"), RVIZ.replace("tool", "x"))
+
+    def test_refused(self):
+        before = self.texts()
+        self.assertIn("nothing was renamed: the link `chassis` of 'bot/urdf/b.urdf' may be meant in 'bot/config/nav2.yaml' "
+                      "(line 3); tie files to a robot", self.rename(2, "chassis"))
+        self.assertEqual(self.texts(), before)
+        # Both robots are loaded.
+        self.assertIn("of 'bot/urdf/a.urdf' or that of 'bot/urdf/b.urdf' may be meant in",
+                      self.rename(2, "chassis", of="bot"))
+        self.assertEqual(self.texts(), before)
+
+    def test_left_as_they_are(self):
+        self.assertIn("`chassis` is still named in 'bot/config/nav2.yaml' (line 3)", self.rename(0, "chassis", "--force"))
+        self.assertEqual(self.texts(), [ROBOT.replace("chassis", "x"), ROBOT.replace('"a"', '"b"'), NAV2, RVIZ])
+
+    def test_what_is_only_remembered(self):
+        self.assertIn("`tool` is still named in 'bot/rviz/bot.rviz' (line 4)", self.rename(0, "tool"))
+        self.assertEqual(self.texts(), [ROBOT.replace("tool", "x"), ROBOT.replace('"a"', '"b"'), NAV2, RVIZ])
+
+    def test_given_by_a_launch_file(self):
+        self.write("bot/launch/a.launch.xml", LAUNCH)
+        self.rename(0, "chassis")
+        self.assertEqual(self.texts(), [ROBOT.replace("chassis", "x"), ROBOT.replace('"a"', '"b"'),
+                                        NAV2.replace("chassis", "x"), RVIZ])
+
+    def test_given_to_the_other_robot(self):
+        self.write("bot/launch/b.launch.xml", LAUNCH.replace("a.urdf", "b.urdf"))
+        self.rename(0, "chassis")
+        self.assertEqual(self.read("bot/config/nav2.yaml"), NAV2)
+
+    def test_given_by_the_configuration(self):
+        self.write("bot/.smurf-lint.yaml", "companions:\n- robot: urdf/a.urdf\n  files: config/nav2.yaml\n")
+        self.rename(0, "chassis")
+        self.assertEqual(self.read("bot/config/nav2.yaml"), NAV2.replace("chassis", "x"))
 
 
 if __name__ == "__main__":

@@ -161,13 +161,14 @@ class Search {
  public:
   Search(std::span<const Rename> renames, std::span<const std::string> changed,
          const std::set<std::string>& loaded, const FileReader& files, const Limits& limits,
-         const IncludedBy& included_by)
+         const IncludedBy& included_by, const std::map<std::string, std::string_view>& texts)
       : renames_(renames),
         changed_(changed),
         loaded_(loaded),
         files_(files),
         limits_(limits),
-        included_by_(included_by) {}
+        included_by_(included_by),
+        texts_(texts) {}
 
   LeftNames run() {
     std::set<std::string> projects;
@@ -256,8 +257,11 @@ class Search {
 
   void read(const std::string& path, Kind kind) {
     if (loaded_.contains(identity(path)) && kind != Kind::robot) return;
-    const FileContent content = files_.read(path, kMostBytes);
+    FileContent content = files_.read(path, kMostBytes);
     if (content.status != ReadStatus::ok) return;
+    if (const auto changed = texts_.find(identity(path)); changed != texts_.end()) {
+      content.text = changed->second;
+    }
     // Any YAML file may contain a word; only companions are compared with robots.
     if (kind == Kind::companion && find_companion_kind(path, content.text) == nullptr) {
       kind = Kind::settings;
@@ -393,6 +397,7 @@ class Search {
   const FileReader& files_;
   const Limits& limits_;
   const IncludedBy& included_by_;
+  const std::map<std::string, std::string_view>& texts_;
   std::map<std::string, std::optional<std::set<std::string>>> expanded_;
   std::set<std::string> robots_;
   std::set<std::string> packages_;  ///< with changed files, by identity
@@ -409,8 +414,9 @@ class Search {
 
 LeftNames names_left(std::span<const Rename> renames, std::span<const std::string> changed,
                      const std::set<std::string>& loaded, const FileReader& files,
-                     const Limits& limits, const IncludedBy& included_by) {
-  return Search(renames, changed, loaded, files, limits, included_by).run();
+                     const Limits& limits, const IncludedBy& included_by,
+                     const std::map<std::string, std::string_view>& texts) {
+  return Search(renames, changed, loaded, files, limits, included_by, texts).run();
 }
 
 }  // namespace smurf::tools

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <set>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "smurf/file_reader.hpp"
@@ -29,9 +31,10 @@ struct LeftNames {
 using IncludedBy = std::function<std::optional<std::set<std::string>>(const std::string& path)>;
 
 /// `loaded` are the identities of the files that were loaded, `changed` the paths of those that
-/// were changed.
+/// were changed, `texts` the new texts of surrounding files, by identity.
 LeftNames names_left(std::span<const Rename> renames, std::span<const std::string> changed,
                      const std::set<std::string>& loaded, const FileReader& files,
-                     const Limits& limits, const IncludedBy& included_by);
+                     const Limits& limits, const IncludedBy& included_by,
+                     const std::map<std::string, std::string_view>& texts = {});
 
 }  // namespace smurf::tools

@@ -2,6 +2,7 @@
 #include "smurf-lint/rename_all.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <span>
 #include <string_view>
@@ -122,7 +123,7 @@ std::optional<Changes> rename_all(const LintOptions& options, const LintPlan& pl
   confine_to_changeable(changeable, options, plan);
   std::set<std::string> loaded;
   Renamed renamed = rename_planned(plan, check_settings(options), options.renames, session,
-                                   changeable, plan.standard_input, &loaded);
+                                   changeable, plan.standard_input, &loaded, options.is_forced);
   for (const std::string& problem : renamed.problems) {
     complain("smurf-lint", "nothing was renamed: " + problem);
   }
@@ -145,8 +146,13 @@ std::optional<Changes> rename_all(const LintOptions& options, const LintPlan& pl
     for (const std::string& one : loaded_root.expansion.included) included.insert(identity(one));
     return included;
   };
-  const LeftNames left =
-      names_left(options.renames, changed, loaded, session.files(), options.limits, included_by);
+  std::map<std::string, std::string_view> texts;  // of files that are not loaded, by identity
+  for (const auto& [path, change] : changes) {
+    if (const std::string id = identity(path); !loaded.contains(id))
+      texts.emplace(id, change.after);
+  }
+  const LeftNames left = names_left(options.renames, changed, loaded, session.files(),
+                                    options.limits, included_by, texts);
   for (const std::string& place : left.mentions) complain("smurf-lint", place);
   for (const std::string& place : left.misfits) complain("smurf-lint", place);
   if (!left.misfits.empty() && !options.is_forced) {

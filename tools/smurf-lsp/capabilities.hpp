@@ -54,7 +54,17 @@ struct FileLink {
 };
 std::vector<FileLink> links_in(const Context& context, const FileView& view);
 /// The file names at the place of a request.
-std::vector<FileLink> links_at(Context& context, const Json& params);
+std::vector<FileLink> links_at(Context& context, const Json& params, Looks looks = Looks::around);
+/// The files that a launch file means, as far as they are here; none for another file.
+std::vector<FileLink> launch_links_in(Context& context, const FileView& view);
+/// The name of an argument that a launch file gives to the xacro of a robot.
+struct ArgumentAt {
+  Span span;
+  std::string name;
+  Span declared;  ///< the name in `xacro:arg`
+  bool has_default = false;
+};
+std::optional<ArgumentAt> launch_argument_at(Context& context, const PlaceView& place);
 /// Calls `visit` with each file name in the models and scenes of the open documents, and its view.
 /// A file that several models read is visited with each.
 void for_each_link(Context& context,

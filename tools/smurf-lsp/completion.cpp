@@ -8,6 +8,7 @@
 #include "config/companion_help.hpp"
 #include "config/key_help.hpp"
 #include "link/extension_names.hpp"
+#include "link/surroundings/wanted_names.hpp"
 #include "render/printable.hpp"
 #include "smurf-lsp/capabilities.hpp"
 #include "smurf-lsp/xacro_completion.hpp"
@@ -34,8 +35,11 @@ class Completer {
 
   Json run() {
     const CompanionSpec* kind = find_companion_kind(path_, text_);
-    if (kind != nullptr && !kind->is_xml) {
+    if (kind == nullptr && is_surrounding_file(path_, text_)) {
+      complete_surroundings();
+    } else if (kind != nullptr && !kind->is_xml) {
       complete_companion({kind->title, text_});
+      if (items_.empty()) complete_frame();
     } else if (const auto language = key_language(path_)) {
       complete_yaml(*language);
     } else {
@@ -108,6 +112,46 @@ class Completer {
     if (completes_value(context, help_of) || add_item(context, help_of)) return;
     add_keys(companion_keys_in(language, context.path), context);
     add_names(companion_names_in(language, context.path), true);
+  }
+
+  /// A parameter of a companion that holds a link, as those of navigation do.
+  void complete_frame() {
+    const auto wanted = wanted_name(path_, text_, offset_, context_.workspace.limits());
+    if (!wanted || wanted->kinds.empty()) return;
+    context_.workspace.look_around(path_);
+    set_place(wanted->begin, wanted->end);
+    add_names_of(context_.workspace.views(path_), wanted->kinds, wanted->is_yaml);
+  }
+
+  /// A launch file, or a file of navigation or RViz: names of the robot and of its arguments.
+  void complete_surroundings() {
+    const auto wanted = wanted_name(path_, text_, offset_, context_.workspace.limits());
+    if (!wanted) return;
+    context_.workspace.look_around(path_);
+    set_place(wanted->begin, wanted->end);
+    const std::vector<FileView> views = context_.workspace.views_around(path_);
+    if (!wanted->kinds.empty()) {
+      add_names_of(views, wanted->kinds, wanted->is_yaml);
+      return;
+    }
+    std::map<std::string, bool> arguments;  // with the mark of one that has no default
+    for (const FileView& view : views) {
+      if (view.launch == nullptr) continue;
+      const auto& all = view.launch->descriptions;
+      const bool is_its = std::any_of(all.begin(), all.end(), [&](const auto& one) {
+        return one.is_of_robot && one.file && one.file->text.package == wanted->package &&
+               one.file->text.text == wanted->file;
+      });
+      if (!is_its) continue;
+      for (const XacroArgument& one : context_.workspace.surroundings_of(view).arguments) {
+        if (!one.span.empty()) arguments.emplace(one.name, one.has_default);
+      }
+    }
+    const bool is_set = std::string_view(text_).substr(wanted->end).starts_with(":=");
+    for (const auto& [name, has_default] : arguments) {
+      add(name, kPropertyItem, is_set ? name : name + ":=",
+          has_default ? "argument of the xacro" : "argument of the xacro, without a default");
+    }
   }
 
   /// Whether nothing but the value behind a key, which is completed, or a comment can stand here.
@@ -381,9 +425,12 @@ class Completer {
   }
 
   void add_names(NameKinds kinds, bool is_yaml) {
-    if (kinds.empty()) return;
+    if (!kinds.empty()) add_names_of(readable_views(), kinds, is_yaml);
+  }
+
+  void add_names_of(const std::vector<FileView>& views, NameKinds kinds, bool is_yaml) {
     std::map<std::string, NameKind> names;
-    for (const FileView& view : readable_views()) {
+    for (const FileView& view : views) {
       for (const Reference& one : context_.workspace.names().names()[view.part]) {
         const bool is_known = one.is_definition || one.kind == NameKind::material;
         if (!is_known || !kinds.contains(one.kind) || names.size() >= kMostItems) continue;

@@ -31,14 +31,17 @@ std::string path_in(const Json& params) {
   return path_of_uri(text_at(params, {"textDocument", "uri"}));
 }
 
-std::vector<PlaceView> places_in(Context& context, const Json& params) {
+std::vector<PlaceView> places_in(Context& context, const Json& params, Looks looks) {
   const std::string path = path_in(params);
   if (context.workspace.document(path) == nullptr) return {};
+  if (looks == Looks::around) context.workspace.look_around(path);
   std::vector<PlaceView> places;
-  for (const FileView& view : context.workspace.views(path)) {
-    const std::uint32_t offset =
-        loaded_positions(context).offset(view.source, at(params, {"position"}));
-    places.push_back({view, offset});
+  for (const auto& views : {context.workspace.views_around(path), context.workspace.views(path)}) {
+    for (const FileView& view : views) {
+      const std::uint32_t offset =
+          loaded_positions(context).offset(view.source, at(params, {"position"}));
+      places.push_back({view, offset});
+    }
   }
   return places;
 }

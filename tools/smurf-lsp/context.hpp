@@ -2,6 +2,7 @@
 // The state and helpers that all capabilities use.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <stdexcept>
@@ -70,8 +71,11 @@ struct PlaceView {
   FileView view;
   std::uint32_t offset = 0;
 };
+/// Whether robots are loaded for a file around them, which takes as long as to load a robot: what
+/// an editor asks while someone types must not wait for that.
+enum class Looks : std::uint8_t { around, at_what_is_loaded };
 /// The place in all models and scenes; empty for a file that is not open or cannot be read.
-std::vector<PlaceView> places_in(Context& context, const Json& params);
+std::vector<PlaceView> places_in(Context& context, const Json& params, Looks looks = Looks::around);
 
 Positions loaded_positions(const Context& context);
 /// The reference at a place, or null. A cursor just behind a name is still at the name.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/files/path.hpp"
+#include "base/text/quoted.hpp"
 #include "config/companion_help.hpp"
 #include "config/key_help.hpp"
 #include "link/describe.hpp"
@@ -190,8 +191,10 @@ Lines entity_pose(const PlaceView& place) {
 }
 
 /// A file name: its file, and the key that expects it.
-std::optional<Said> file_at(const Context& context, const PlaceView& place) {
-  for (const FileLink& link : links_in(context, place.view)) {
+std::optional<Said> file_at(Context& context, const PlaceView& place) {
+  std::vector<FileLink> links = links_in(context, place.view);
+  for (FileLink& link : launch_links_in(context, place.view)) links.push_back(std::move(link));
+  for (const FileLink& link : links) {
     if (!holds(link.span, place.offset)) continue;
     const bool exists = context.workspace.files().is_file(link.path);
     return Said{link.span, {exists ? link.path : "there is no file " + link.path}};
@@ -202,9 +205,18 @@ std::optional<Said> file_at(const Context& context, const PlaceView& place) {
 std::optional<Said> said_at(Context& context, const PlaceView& place) {
   if (auto name = name_at(context, place)) return name;
   if (auto mesh = mesh_at(context, place)) return mesh;
+  if (const auto argument = launch_argument_at(context, place)) {
+    const SourceMap& sources = context.workspace.loaded_sources();
+    const Position at = sources.position(argument->declared.source, argument->declared.begin);
+    const std::string_view file = path::file_name(sources.path(argument->declared.source));
+    return Said{argument->span,
+                {"argument " + quoted(argument->name) + " of the xacro" +
+                     (argument->has_default ? ", which has a default" : ", without a default"),
+                 "declared in " + std::string(file) + ":" + std::to_string(at.line)}};
+  }
   auto file = file_at(context, place);
   if (place.view.xml != nullptr) return file ? file : xml_key_at(context, place);
-  if (place.view.yaml == nullptr) return std::nullopt;
+  if (place.view.yaml == nullptr) return file;
   auto key = yaml_key_at(context, place);
   if (!key) return file;
   if (file) key->lines.insert(key->lines.end(), file->lines.begin(), file->lines.end());

@@ -4,6 +4,7 @@
 
 #include "base/files/path.hpp"
 #include "config/key_help.hpp"
+#include "link/surroundings/wanted_names.hpp"
 #include "smurf-lsp/capabilities.hpp"
 
 namespace smurf::lsp {
@@ -73,9 +74,9 @@ std::vector<FileLink> links_in(const Context& context, const FileView& view) {
   return links;
 }
 
-std::vector<FileLink> links_at(Context& context, const Json& params) {
+std::vector<FileLink> links_at(Context& context, const Json& params, Looks looks) {
   std::vector<FileLink> found;
-  for (const PlaceView& place : places_in(context, params)) {
+  for (const PlaceView& place : places_in(context, params, looks)) {
     for (FileLink& link : links_in(context, place.view)) {
       if (link.span.begin <= place.offset && place.offset <= link.span.end) {
         found.push_back(std::move(link));
@@ -83,6 +84,26 @@ std::vector<FileLink> links_at(Context& context, const Json& params) {
     }
   }
   return found;
+}
+
+std::vector<FileLink> launch_links_in(Context& context, const FileView& view) {
+  std::vector<FileLink> links;
+  if (view.launch == nullptr) return links;
+  for (LaunchLink& one : launch_links(*view.launch, context.workspace.surroundings_of(view)))
+    links.push_back({one.span, std::move(one.path)});
+  return links;
+}
+
+std::optional<ArgumentAt> launch_argument_at(Context& context, const PlaceView& place) {
+  if (place.view.launch == nullptr) return std::nullopt;
+  for (const LaunchArgument& one : launch_arguments(*place.view.launch)) {
+    if (place.offset < one.span.begin || place.offset > one.span.end) continue;
+    for (const XacroArgument& known : context.workspace.surroundings_of(place.view).arguments) {
+      if (known.name == one.name && !known.span.empty())
+        return ArgumentAt{one.span, known.name, known.span, known.has_default};
+    }
+  }
+  return std::nullopt;
 }
 
 void for_each_link(Context& context,

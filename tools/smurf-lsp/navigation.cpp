@@ -14,8 +14,9 @@ namespace {
 
 /// Calls `visit` once with every place of the name at the place of the request.
 template <class Visit>
-void for_each_place(Context& context, const Json& params, const Visit& visit) {
-  for (const PlaceView& place : places_in(context, params)) {
+void for_each_place(Context& context, const Json& params, const Visit& visit,
+                    Looks looks = Looks::around) {
+  for (const PlaceView& place : places_in(context, params, looks)) {
     const Reference* named = reference_at(context, place);
     if (named == nullptr || !named->is_known()) continue;
     for (const Reference& one : context.workspace.names().names()[place.view.part]) {
@@ -111,9 +112,19 @@ Json definition(Context& context, const Json& params) {
   for_each_place(context, params, [&](const Reference& one) {
     if (one.is_definition) places.add(one);
   });
+  for (const PlaceView& place : places_in(context, params)) {
+    if (const auto argument = launch_argument_at(context, place)) places.add(argument->declared);
+  }
   if (!places.empty()) return places.take();
   // The name of a file leads to the file.
-  for (const FileLink& link : links_at(context, params)) {
+  std::vector<FileLink> links = links_at(context, params);
+  for (const PlaceView& place : places_in(context, params)) {
+    for (FileLink& link : launch_links_in(context, place.view)) {
+      const bool is_here = link.span.begin <= place.offset && place.offset <= link.span.end;
+      if (is_here) links.push_back(std::move(link));
+    }
+  }
+  for (const FileLink& link : links) {
     const Json start = {{"line", 0}, {"character", 0}};
     places.add(link.path, {},
                {{"uri", context.workspace.uri_of(link.path)},
@@ -126,8 +137,9 @@ namespace {
 
 /// The places that name the same file as the place of the request.
 template <class Visit>
-void for_each_file_name(Context& context, const Json& params, const Visit& visit) {
-  const std::vector<FileLink> wanted = links_at(context, params);
+void for_each_file_name(Context& context, const Json& params, const Visit& visit,
+                        Looks looks = Looks::around) {
+  const std::vector<FileLink> wanted = links_at(context, params, looks);
   if (wanted.empty()) return;
   for_each_link(context, [&](const FileView&, const FileLink& link) {
     if (link.path == wanted.front().path) visit(link.span);
@@ -137,6 +149,7 @@ void for_each_file_name(Context& context, const Json& params, const Visit& visit
 }  // namespace
 
 Json references(Context& context, const Json& params) {
+  context.workspace.look_around();
   const bool with_definition = flag_at(params, {"context", "includeDeclaration"}, true);
   const auto found = xacro_locations(context, params, with_definition, true);
   if (!found.empty()) return found;
@@ -168,10 +181,13 @@ Json highlights(Context& context, const Json& params) {
     if (context.workspace.loaded_sources().path(span.source) != path) return;
     places.add(path, span, {{"range", loaded_positions(context).range(span)}, {"kind", kind}});
   };
-  for_each_place(context, params,
-                 [&](const Reference& one) { add(one.span, one.is_definition ? kWrite : kRead); });
+  for_each_place(
+      context, params,
+      [&](const Reference& one) { add(one.span, one.is_definition ? kWrite : kRead); },
+      Looks::at_what_is_loaded);
   if (places.empty()) {
-    for_each_file_name(context, params, [&](Span span) { add(span, kRead); });
+    for_each_file_name(
+        context, params, [&](Span span) { add(span, kRead); }, Looks::at_what_is_loaded);
   }
   return places.take();
 }

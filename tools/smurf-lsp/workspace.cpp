@@ -106,8 +106,9 @@ void add_views(const LinkedScene& scene, const std::string& path, const SourceMa
 using Files = std::map<std::string, std::string>;  ///< by identity: a path
 
 bool reads_one(const tools::LoadedNames::Part& part, const Files& files) {
-  return std::any_of(files.begin(), files.end(),
-                     [&](const auto& file) { return part.read.contains(file.first); });
+  return std::any_of(files.begin(), files.end(), [&](const auto& file) {
+    return part.read.contains(file.first) || part.around.contains(file.first);
+  });
 }
 
 /// The files that contain a name in the models and scenes that read the first file. Other models
@@ -118,7 +119,8 @@ Files files_to_change(const tools::LoadedNames& loaded, const std::string& first
   for (const std::vector<Reference>& names : loaded.names()) {
     Files& files = places.emplace_back();
     for (const Reference& one : names) {
-      if (one.kind != rename.kind || one.name != rename.from) continue;
+      const bool is_memory = one.around == Reference::Around::memory;
+      if (one.kind != rename.kind || one.name != rename.from || is_memory) continue;
       const std::string& path = sources.path(one.span.source);
       files.emplace(smurf::identity(path), path);
     }
@@ -183,6 +185,8 @@ void Workspace::touch(const std::string& path) {
   names_.reset();
   folder_names_.reset();
   xacro_families_.clear();
+  reach_ = tools::LoadedNames::Reach::companions;
+  looked_around_.clear();
   if (decides_plan(path)) plan_.reset();
 }
 
@@ -211,6 +215,7 @@ void Workspace::change(const std::string& path, std::int64_t version, const Json
 
 void Workspace::close(const std::string& path) {
   if (documents_.erase(path) == 0) return;
+  robots_about_.clear();
   touch(path);
   forget_xacro_files();
   plan_.reset();
@@ -218,6 +223,7 @@ void Workspace::close(const std::string& path) {
 
 void Workspace::forget_files() {
   is_checked_ = false;
+  robots_about_.clear();
   names_.reset();
   folder_names_.reset();
   forget_xacro_files();
@@ -308,7 +314,12 @@ std::vector<std::string> Workspace::robots_of_srdfs() const {
 void Workspace::load() {
   session_.forget_loaded();
   Plan all = plan();
-  if (std::vector<std::string> paths = robots_of_srdfs(); !paths.empty()) {
+  std::vector<std::string> paths = robots_of_srdfs();
+  for (const std::string& document : looked_around_) {
+    const std::vector<std::string>& robots = robots_about(document);
+    paths.insert(paths.end(), robots.begin(), robots.end());
+  }
+  if (!paths.empty()) {
     for (const std::string& open : checkable_documents()) paths.push_back(open);
     all = make_plan(paths);
   }
@@ -318,7 +329,7 @@ void Workspace::load() {
   }
   CheckSettings settings = settings_of_check();
   settings.opens_meshes = false;
-  names_.emplace(all, settings, session_);
+  names_.emplace(all, settings, session_, reach_);
 }
 
 const tools::LoadedNames& Workspace::names() {
@@ -382,7 +393,8 @@ Plan Workspace::plan_of_rename(const std::string& defined_in, const Rename& rena
   settings.opens_meshes = false;
   while (true) {
     const Plan all = make_plan(paths);
-    const tools::LoadedNames loaded(all, settings, session_);
+    const tools::LoadedNames loaded(all, settings, session_,
+                                    tools::LoadedNames::Reach::surroundings);
     const auto files = files_to_change(loaded, defined_in, rename, session_.loaded_sources());
     const std::size_t before = paths.size();
     for (const auto& [identity, path] : files) {

@@ -35,6 +35,7 @@ struct FileView {
   const LinkedScene* scene = nullptr;    ///< null: a model that was loaded alone
   const yaml::Document* yaml = nullptr;  ///< with `xml`: null when it could not be read
   const xml::Document* xml = nullptr;
+  const LaunchFile* launch = nullptr;  ///< of views_around() only
 };
 
 /// Processor time for a request about open files, and for each file of one about folders: whoever
@@ -93,6 +94,15 @@ class Workspace {
   /// The models and scenes of the open documents.
   const tools::LoadedNames& names();
   const SourceMap& loaded_sources() const { return session_.loaded_sources(); }
+  /// Makes the names in an open launch file, or another file around robots, known to names(): loads
+  /// what is around the robots, and if no robot of the file is open, those that it is about.
+  void look_around(const std::string& path);
+  /// Makes the names in all files around the robots known.
+  void look_around();
+  /// The views of an open file around robots, one for each of them.
+  std::vector<FileView> views_around(const std::string& path);
+  /// What is around the robot of a view.
+  const Surroundings& surroundings_of(const FileView& view);
   /// The views of an open file, one for every model and scene that reads it; scenes last.
   std::vector<FileView> views(const std::string& path);
   /// The same for another text of an open document.
@@ -138,6 +148,8 @@ class Workspace {
   /// The URDF files that open SRDF files may be about.
   std::vector<std::string> robots_of_srdfs() const;
   const Plan& plan();
+  /// The robots that an open file is about.
+  const std::vector<std::string>& robots_about(const std::string& path);
   void put_texts();
   /// Gives the session of the folders the texts of the open documents, and no others.
   Session& folder_session();
@@ -159,9 +171,13 @@ class Workspace {
   Report report_;
   bool is_checked_ = false;
   std::optional<tools::LoadedNames> names_;
-  std::map<std::string, XacroFiles> xacro_files_;             ///< by project
-  std::map<std::string, tools::XacroFamily> xacro_families_;  ///< by document
-  std::optional<tools::LoadedNames> folder_names_;            ///< loaded by folder_session_
+  tools::LoadedNames::Reach reach_ = tools::LoadedNames::Reach::companions;  ///< of these
+  std::set<std::string> needs_around_;   ///< documents around robots
+  std::set<std::string> looked_around_;  ///< documents whose robots are loaded for them
+  std::map<std::string, std::vector<std::string>> robots_about_;  ///< by document
+  std::map<std::string, XacroFiles> xacro_files_;                 ///< by project
+  std::map<std::string, tools::XacroFamily> xacro_families_;      ///< by document
+  std::optional<tools::LoadedNames> folder_names_;                ///< loaded by folder_session_
 };
 
 }  // namespace smurf::lsp

@@ -39,7 +39,8 @@ Workspace::Definitions Workspace::definitions() {
     session.forget_loaded();
     CheckSettings settings = settings_of_check();
     settings.opens_meshes = false;
-    folder_names_.emplace(make_plan(paths), settings, session);
+    folder_names_.emplace(make_plan(paths), settings, session,
+                          tools::LoadedNames::Reach::companions);
   }
   Definitions found{{}, &session.loaded_sources()};
   for (const std::vector<Reference>& part : folder_names_->names()) {

@@ -104,7 +104,12 @@ async function startClient(context: vscode.ExtensionContext): Promise<void> {
   client = new LanguageClient("smurf", "SMURF",
     { command: toolPath(context, "smurf-lsp"), args: log ? ["--log", log] : [] },
     {
-      documentSelector: ["smurf", "urdf", "xacro", "yaml"].map((language) => ({ scheme: "file", language })),
+      documentSelector: [
+        ...["smurf", "urdf", "xacro", "yaml"].map((language) => ({ scheme: "file", language })),
+        // Launch files and configurations of RViz, which have the languages of other extensions.
+        { scheme: "file", pattern: "**/*{.launch,_launch}.{py,xml}" },
+        { scheme: "file", pattern: "**/*.{launch,rviz}" },
+      ],
       initializationOptions: settings,
       synchronize: { configurationSection: "smurf" },
       middleware: {

@@ -153,6 +153,11 @@ Companions load_companions(const LinkedModel& model, LoadContext& context);
 /// with its companions.
 Accompanied load_accompanied(const std::string& path, LoadContext& context);
 
+/// Adds what surrounds a robot: files of its package, and launch files that name it in packages
+/// that depend on that one. Gives meshes their places in the sources of packages that install them
+/// elsewhere.
+void add_surroundings(Accompanied& robot, LoadContext& context);
+
 /// Moves each companion that has names which the robot lacks, an SRDF with the other files in its
 /// folder, to a variant of the robot: if other values of the arguments of its xacro give it more of
 /// the names. Tries `values` of arguments, too, and those that the files around the robot use.
@@ -161,5 +166,11 @@ void split_variants(Accompanied& robot, LoadContext& context,
 
 /// All names in companions, those that the robot does not have included.
 std::vector<Reference> companion_references(const LinkedModel& model, const Companions& companions);
+
+/// The names of the robot in its surroundings: in launch files, and in files of navigation and
+/// RViz. Omits those that it does not have, which may be frames of other programs, and files that
+/// are given to other robots.
+std::vector<Reference> surrounding_references(const LinkedModel& model,
+                                              const Companions& companions);
 
 }  // namespace smurf

@@ -17,7 +17,14 @@ namespace smurf {
 /// A place where a name is written. `name` points into the model.
 struct Reference {
   static constexpr std::uint32_t kNothing = 0xffffffffU;
-  enum class Notation : std::uint8_t { yaml, yaml_key, xml_attribute, xml_text };
+  enum class Notation : std::uint8_t { yaml, yaml_key, xml_attribute, xml_text, program };
+  /// In a file around the robot, which the robot may share with others that have the name, too.
+  enum class Around : std::uint8_t {
+    no,
+    own,     ///< a file that is given to the robot
+    any,     ///< a file that other robots may have as well
+    memory,  ///< the same, and its reader ignores a name that it does not know
+  };
 
   /// The kind of the named thing; for an unknown name, the first allowed kind.
   NameKind kind{};
@@ -27,6 +34,7 @@ struct Reference {
   bool is_vague = false;
   /// The name is made by an expression of xacro; `span` is the expression.
   bool is_computed = false;
+  Around around = Around::no;
   NameKinds kinds;  ///< all allowed kinds
   /// The yaml::NodeId or xml::ElementId; of a key, the node under it.
   std::uint32_t place = kNothing;

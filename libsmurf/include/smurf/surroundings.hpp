@@ -107,12 +107,21 @@ struct LaunchPackage {
   std::string name, similar;
 };
 
+/// Whose a file around a robot is, besides the names in it.
+enum class Whose : std::uint8_t {
+  any,     ///< of each robot that has it around and fits
+  own,     ///< the configuration, a launch file or a .setup_assistant gives it to the robot
+  others,  ///< the same, but only to other robots
+};
+
 /// A launch file, as far as it is known.
 struct LaunchFile {
   enum class Form : std::uint8_t { python, xml, yaml };
   Form form = Form::python;
   SourceId source{};
   std::string path, package;
+  std::string_view text;
+  Whose whose = Whose::any;
   bool is_ros1 = false;
   std::optional<LaunchFault> fault;  ///< the first
   std::vector<LaunchMistake> mistakes;
@@ -166,12 +175,14 @@ struct FrameFile {
   std::string path;
   std::optional<yaml::Document> document;  ///< not of lua
   std::string_view text;
+  Whose whose = Whose::any;
 };
 
 /// An argument that a xacro declares.
 struct XacroArgument {
   std::string name;
   bool has_default = false;
+  Span span = {};  ///< of the name in `xacro:arg`; empty: it is only used
 };
 
 /// A world of Gazebo that a launch file starts.

@@ -9,7 +9,6 @@
 #include "check/excuses.hpp"
 #include "check/given_arguments.hpp"
 #include "link/imported_world.hpp"
-#include "link/surroundings/load_surroundings.hpp"
 #include "link/unused_meshes.hpp"
 #include "plan/launched_values.hpp"
 

@@ -121,6 +121,7 @@ void ReferenceFinder::add(const Naming& naming, std::string_view name, const Nam
   Reference reference{.notation = place.notation,
                       .is_definition = naming.defines,
                       .is_vague = naming.is_vague,
+                      .around = around_,
                       .kinds = naming.kinds,
                       .place = place.place,
                       .name = name,

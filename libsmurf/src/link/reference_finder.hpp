@@ -42,6 +42,8 @@ class ReferenceFinder {
   void read_annotations();
   void read_urdf();
   void read_companion(const Companion& companion);
+  /// Where the names that follow stand.
+  void set_around(Reference::Around around) { around_ = around; }
   /// Makes the groups of an SRDF known.
   void add_groups(const srdf::Description& srdf);
   /// Reads the names in a value by its row, including lists and mappings of names.
@@ -88,6 +90,7 @@ class ReferenceFinder {
   std::vector<Reference> found_;
   std::optional<NameTable> nodes_, poses_;
   NameTable groups_;
+  Reference::Around around_ = Reference::Around::no;
 };
 
 }  // namespace smurf

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <compare>
+#include <iterator>
 #include <map>
 #include <set>
 #include <tuple>
@@ -220,6 +221,7 @@ class Renamer {
       before = tied.size() + places.size();
       for_each([&](Owner one, const Reference& use) {
         if (use.kind != definition.kind || use.name != definition.name || !use.is_known()) return;
+        if (use.around != Reference::Around::no) return;  // robots may have a file beside them both
         if (tied.contains(one)) places.insert(place_of(use));
         if (places.contains(place_of(use))) tied.insert(one);
       });
@@ -282,6 +284,13 @@ class Renamer {
       if (is_in_xacro &&
           !(one.is_computed ? is_plain_part(change.text) : is_plain_name(change.text))) {
         fail(quoted(found->second) + " could be read as an expression or a number at " +
+             place_text(sources_, change.span) + "; use letters, digits and `_`");
+      }
+      // In a program, or in a list of words such as `args="0 0 1 base laser"`.
+      const bool is_inside = one.around != Reference::Around::no && one.span != one.text;
+      const bool is_in_program = one.notation == Reference::Notation::program;
+      if ((is_inside || is_in_program) && !is_plain_name(change.text)) {
+        fail(quoted(found->second) + " could be read as something else at " +
              place_text(sources_, change.span) + "; use letters, digits and `_`");
       }
       const auto [known, is_new] =
@@ -416,12 +425,21 @@ std::vector<std::string> changed_meanings(std::span<const std::vector<Reference>
                                           std::span<const std::vector<Reference>> after,
                                           const SourceMap& sources) {
   std::vector<std::string> changed;
+  // RViz may remember a link of another robot, and does nothing with a name that it does not know.
+  const auto skip_memory = [](auto at, auto end) {
+    return std::find_if(
+        at, end, [](const Reference& one) { return one.around != Reference::Around::memory; });
+  };
   for (std::size_t i = 0; i < before.size(); ++i) {
     const auto& old = before[i];
     const std::vector<Reference> none;
     const auto& now = i < after.size() ? after[i] : none;
-    const auto [a, b] =
-        std::mismatch(old.begin(), old.end(), now.begin(), now.end(), means_the_same);
+    auto a = skip_memory(old.begin(), old.end());
+    auto b = skip_memory(now.begin(), now.end());
+    while (a != old.end() && b != now.end() && means_the_same(*a, *b)) {
+      a = skip_memory(std::next(a), old.end());
+      b = skip_memory(std::next(b), now.end());
+    }
     if (b != now.end()) {
       changed.push_back(place_text(sources, b->span) + ": " + quoted(b->name) +
                         " would refer to something else than before");

@@ -32,7 +32,10 @@ FoundInputs inputs_beside(const std::string& path, const FileReader& files,
       if (xacro::is_xacro_file(file)) {
         found.xacro.push_back(file);
       } else if (input_kind(file) == InputKind::urdf) {
-        found.files.push_back(file);
+        // A package.xml is no robot.
+        const bool is_robot =
+            !may_be_imported(file) || is_imported(files.read(file, kMostBytesOfText).text);
+        if (is_robot) found.files.push_back(file);
       }
     }
   }
@@ -44,14 +47,15 @@ FoundInputs inputs_beside(const std::string& path, const FileReader& files,
 }  // namespace
 
 const CompanionRobots::Project& CompanionRobots::project_of(const std::string& path) {
-  const std::string project_folder = project_around(path);
+  const bool is_wide = scope_ == Scope::project;
+  const std::string project_folder = is_wide ? project_around(path) : std::string();
   const std::string folder =
       project_folder.empty() ? std::string(path::parent(path)) : project_folder;
   const auto [place, is_new] = projects_.try_emplace(folder);
   Project& project = place->second;
   if (!is_new) return project;
-  FoundInputs found = inputs_around(path, limits_);
-  if (project_folder.empty()) found = inputs_beside(path, files_, packages_);
+  FoundInputs found = project_folder.empty() ? inputs_beside(path, files_, packages_)
+                                             : inputs_around(path, limits_);
   for (const std::string& file : found.files) {
     if (input_kind(file) == InputKind::urdf) project.robots.push_back(file);
   }

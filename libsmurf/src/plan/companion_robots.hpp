@@ -2,6 +2,7 @@
 // The robots to which a companion may belong that a user named without them.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <span>
@@ -20,14 +21,23 @@ namespace smurf {
 /// Looks into each project once.
 class CompanionRobots {
  public:
-  CompanionRobots(const FileReader& files, const Limits& limits)
-      : files_(files), limits_(limits), packages_(files) {}
+  enum class Scope : std::uint8_t {
+    project,
+    packages,  ///< only the package of a file, and those related to it
+  };
+  CompanionRobots(const FileReader& files, const Limits& limits, Scope scope = Scope::project)
+      : files_(files), limits_(limits), scope_(scope), packages_(files) {}
 
   /// The robots of the configuration; else, of the robots of the project, the likeliest first, at
   /// most six: those in the package of the file, in packages that it depends on or that depend on
   /// it, then others; of these, those that write most of its names.
   std::vector<std::string> of(const std::string& path, const SeenCompanion& seen,
                               std::span<const CompanionTie> ties);
+
+  /// All robots around a file.
+  const std::vector<std::string>& in_project(const std::string& path) {
+    return project_of(path).robots;
+  }
 
   /// The first robot in the package of a file, or in one that is related to it; "" if there is
   /// none.
@@ -51,6 +61,7 @@ class CompanionRobots {
 
   const FileReader& files_;
   const Limits& limits_;
+  Scope scope_;
   PackageSearch packages_;
   std::map<std::string, Project> projects_;
   std::map<std::string, std::string> texts_;  ///< of robots, with what they include

@@ -28,8 +28,8 @@ std::string unread_file(const Loaded& loaded) {
 }  // namespace
 
 LoadedNames::LoadedNames(const Plan& plan, const CheckSettings& settings, Session& session,
-                         Keeps keeps)
-    : session_(session), settings_(settings), keeps_(keeps) {
+                         Reach reach, Keeps keeps)
+    : session_(session), settings_(settings), reach_(reach), keeps_(keeps) {
   std::vector<std::string> paths;
   for (const auto* files : {&plan.scenes, &plan.models, &plan.others}) {
     for (const PlannedFile& file : *files) paths.push_back(file.path);
@@ -42,6 +42,17 @@ LoadedNames::LoadedNames(const Plan& plan, const CheckSettings& settings, Sessio
       const bool is_turn = is_companion_path(file.path) == are_companions;
       if (is_turn && !has_read(file.path)) load_model(file.path);
     }
+  }
+}
+
+void LoadedNames::leave(const std::set<std::string>& paths) {
+  if (paths.empty()) return;
+  const SourceMap& sources = session_.loaded_sources();
+  for (std::vector<Reference>& all : names_) {
+    std::erase_if(all, [&](const Reference& one) {
+      const bool is_around = one.around != Reference::Around::no;
+      return is_around && paths.contains(sources.path(one.span.source));
+    });
   }
 }
 
@@ -85,6 +96,12 @@ void LoadedNames::load_model(const std::string& path) {
   } else {
     companions = load_companions(loaded.model, context);
   }
+  if (reach_ == Reach::surroundings) {
+    Accompanied robot{std::move(loaded.model), std::move(companions)};
+    add_surroundings(robot, context);
+    loaded.model = std::move(robot.model);
+    companions = std::move(robot.companions);
+  }
   search_ = context.package_search;
   Part& part = parts_.emplace_back(
       Part{.model = &loaded, .companions = &companions, .expansions = context.expansions});
@@ -103,6 +120,10 @@ void LoadedNames::load_model(const std::string& path) {
   std::vector<Reference> names = references_of(loaded.model);
   const std::vector<Reference> more = companion_references(loaded.model, companions);
   names.insert(names.end(), more.begin(), more.end());
+  for (Reference& one : surrounding_references(loaded.model, companions)) {
+    part.around.insert(identity(session_.loaded_sources().path(one.span.source)));
+    names.push_back(std::move(one));
+  }
   place_in_xacro(*context.expansions, names);
   read_.insert(part.read.begin(), part.read.end());
   finish(std::move(names));

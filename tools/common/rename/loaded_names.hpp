@@ -21,7 +21,12 @@ class LoadedNames {
  public:
   /// What stays in memory: thousands of models may share a large file.
   enum class Keeps : std::uint8_t { files, names };
-  LoadedNames(const Plan& plan, const CheckSettings& settings, Session& session,
+  /// How far from the robots names are looked for.
+  enum class Reach : std::uint8_t {
+    companions,
+    surroundings,  ///< also in launch files, and in files of navigation and RViz
+  };
+  LoadedNames(const Plan& plan, const CheckSettings& settings, Session& session, Reach reach,
               Keeps keeps = Keeps::files);
 
   /// One model with its companions, or one scene with its models.
@@ -31,11 +36,14 @@ class LoadedNames {
     const Companions* companions = nullptr;                         ///< of the model
     std::shared_ptr<const xacro::Expansions> expansions = nullptr;  ///< of the model
     std::set<std::string> read = {};                                ///< all its files, by identity
+    std::set<std::string> around = {};  ///< surrounding files with its names, by identity
   };
   /// There are none if only the names are kept.
   const std::deque<Part>& parts() const { return parts_; }
   /// The names of each part.
   const std::vector<std::vector<Reference>>& names() const { return names_; }
+  /// Leaves out the names in these surrounding files.
+  void leave(const std::set<std::string>& paths);
   /// True for a planned model or scene, and for a file that belongs to one.
   bool has_read(const std::string& path) const;
   /// All these files, by identity.
@@ -52,6 +60,7 @@ class LoadedNames {
 
   Session& session_;
   CheckSettings settings_;
+  Reach reach_;
   Keeps keeps_;
   std::deque<LoadedScene> scenes_;
   std::deque<LoadedModel> models_;

@@ -8,6 +8,7 @@
 
 #include "common/rename/loaded_names.hpp"
 #include "plan/models_around.hpp"
+#include "plan/shared_files.hpp"
 
 namespace smurf::tools {
 namespace {
@@ -35,12 +36,21 @@ std::vector<std::string> problems_of(const std::string& path, const LoadedNames&
 
 Renamed rename_planned(const Plan& plan, CheckSettings settings, std::span<const Rename> renames,
                        Session& session, const FileReader& changeable, const std::string& input,
-                       std::set<std::string>* read) {
+                       std::set<std::string>* read, bool leaves_shared) {
   settings.opens_meshes = false;
-  const LoadedNames before(plan, settings, session, LoadedNames::Keeps::names);
+  constexpr auto kReach = LoadedNames::Reach::surroundings;
+  LoadedNames before(plan, settings, session, kReach, LoadedNames::Keeps::names);
   if (!before.problem().empty()) return {{}, {}, {before.problem()}};
   if (read != nullptr) *read = before.read();
+  SharedFiles shared =
+      shared_files(before.names(), renames, session.loaded_sources(), session.files(),
+                   [&](const std::string& path) { return before.has_read(path); });
+  before.leave(shared.paths);
   Renamed renamed = rename(before.names(), renames, session.loaded_sources());
+  if (!leaves_shared && !shared.problems.empty()) {
+    shared.problems.insert(shared.problems.end(), renamed.problems.begin(), renamed.problems.end());
+    return {{}, {}, std::move(shared.problems)};
+  }
   if (!renamed.problems.empty()) return renamed;
   ModelsAround around(session.files());
   std::set<std::string> named;
@@ -51,7 +61,8 @@ Renamed rename_planned(const Plan& plan, CheckSettings settings, std::span<const
   }
   if (!renamed.problems.empty()) return renamed;
   for (const FixedText& file : renamed.texts) session.set_text(file.path, file.text);
-  const LoadedNames after(plan, settings, session, LoadedNames::Keeps::names);
+  LoadedNames after(plan, settings, session, kReach, LoadedNames::Keeps::names);
+  after.leave(shared.paths);
   renamed.problems = changed_meanings(before.names(), after.names(), session.loaded_sources());
   return renamed;
 }

@@ -8,6 +8,7 @@
 #include "ast/ros_parameters.hpp"
 #include "base/text/words.hpp"
 #include "link/reference_finder.hpp"
+#include "link/surroundings/frame_names.hpp"
 
 namespace smurf {
 namespace {
@@ -63,13 +64,6 @@ void add_keys(const Naming& naming, yaml::View value, ReferenceFinder& finder) {
   for (const yaml::View member : value) {
     if (!member.is_repeated()) finder.add(naming, member.key(), place_of_key(member));
   }
-}
-
-/// Parameters that often have the name of a link: `base_frame_id`, `chain_tip`, `robot_base_link`.
-bool may_hold_link(std::string_view key) {
-  constexpr std::string_view kEnds[] = {"frame_id", "frame", "link", "tip", "root"};
-  return std::any_of(std::begin(kEnds), std::end(kEnds),
-                     [&](std::string_view end) { return key.ends_with(end); });
 }
 
 /// The links and interfaces in the parameters with such a name, at any depth.

@@ -22,13 +22,15 @@ std::vector<Value> words_of(const Value& command) {
       continue;
     }
     std::string part;
+    std::size_t at = 0;  // behind the part
     const auto flush = [&] {
       if (part.empty()) return;
+      const Span span = piece.span_at(at - 1);
       if (!is_open) words.emplace_back();
       is_open = true;
       words.back().kind = Value::Kind::text;
-      if (words.back().pieces.empty()) words.back().span = piece.span;
-      words.back().pieces.push_back({Piece::Kind::literal, part, piece.span});
+      if (words.back().pieces.empty()) words.back().span = span;
+      words.back().pieces.push_back({Piece::Kind::literal, part, span});
       part.clear();
     };
     for (const char c : piece.text) {
@@ -38,6 +40,7 @@ std::vector<Value> words_of(const Value& command) {
       } else if (c != '"' && c != '\'') {
         part += c;
       }
+      ++at;
     }
     flush();
   }

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "link/surroundings/load_surroundings.hpp"
-
 #include <algorithm>
 #include <map>
 #include <optional>
@@ -15,9 +13,11 @@
 #include "link/companions/places.hpp"
 #include "link/package_manifest.hpp"
 #include "link/package_search.hpp"
+#include "link/surroundings/frame_names.hpp"
 #include "link/surroundings/installation.hpp"
 #include "link/surroundings/launch_files.hpp"
 #include "link/surroundings/robot_facts.hpp"
+#include "link/surroundings/stated_ties.hpp"
 #include "syntax/xml_reader.hpp"
 #include "syntax/yaml_reader.hpp"
 
@@ -48,6 +48,8 @@ class Loader {
     for (const NearPackage& one : places.packages)
       packages_by_name_.try_emplace(one.name, one.folder);
     if (!add_package(own.name, own.folder)) return std::move(found_);
+    // A robot that cannot be read has no names that anyone would look for.
+    if (model_.robot) given_ = GivenFiles(model_, places.packages, context_);
     for (const NearPackage& one : places.packages) {
       if (found_.packages.size() >= kMostPackages) break;
       if (one.folder == own.folder) continue;
@@ -165,6 +167,8 @@ class Loader {
     LaunchFile file = search_of(context_).companions->launches.read(
         normal, content.text, form, is_ros1, source, context_.limits, find);
     file.package = package.name;
+    file.text = context_.sources.text(source);
+    file.whose = given_.whose(normal);
     const std::string robot = context_.files.identity(model_.urdf_path);
     const auto mark = [&](LaunchDescription& one) {
       one.is_of_robot =
@@ -275,35 +279,21 @@ class Loader {
 
   void add_frame_file(const std::string& path) {
     constexpr std::size_t kMostFiles = 40;
-    const std::string extension = path::to_lower(path::extension(path));
-    if (found_.frame_files.size() >= kMostFiles ||
-        !is_one_of(extension, {".yaml", ".yml", ".rviz", ".lua"})) {
-      return;
-    }
+    const FrameForm* form = find_frame_form(path);
+    if (found_.frame_files.size() >= kMostFiles || form == nullptr) return;
     FileContent content = context_.files.read(path, kMostBytes);
     if (content.status != ReadStatus::ok) return;
-    FrameFile file;
-    bool is_one = false, is_parameters = false;
-    if (extension == ".rviz") {
-      file.form = FrameFile::Form::rviz;
-      is_one = content.text.find("Visualization Manager:") != std::string::npos;
-    } else if (extension == ".lua") {
-      file.form = FrameFile::Form::lua;
-      is_one = content.text.find("tracking_frame") != std::string::npos;
-    } else {
-      for (const std::string_view key : {"robot_base_frame", "base_frame_id", "base_link_frame",
-                                         "base_frame", "move_group_name"}) {
-        is_one = is_one || content.text.find(key) != std::string::npos;
-      }
-      is_parameters = content.text.find("ros__parameters") != std::string::npos;
-      is_one =
-          is_one && is_parameters && content.text.find("controller_manager:") == std::string::npos;
-    }
+    const bool is_one = form->is_one(content.text);
+    const bool is_parameters = form->form == FrameFile::Form::parameters &&
+                               content.text.find("ros__parameters") != std::string::npos;
     if (!is_one && !is_parameters) return;
+    FrameFile file;
+    file.form = form->form;
     file.path = path::normalize(path);
+    file.whose = given_.whose(file.path);
     file.source = context_.sources.add(file.path, std::move(content.text));
     file.text = context_.sources.text(file.source);
-    if (file.form != FrameFile::Form::lua) {
+    if (form->is_yaml) {
       DiagnosticSink found(context_.limits);
       file.document = parse_yaml(context_.sources, file.source, context_.limits, found);
       if (is_parameters && is_broken_yaml(file.text, file.document, found)) {
@@ -460,6 +450,7 @@ class Loader {
   std::map<std::string, std::string> packages_by_name_;
   std::map<std::string, Installation> installations_;
   std::set<std::string, std::less<>> companion_paths_;
+  GivenFiles given_;
 };
 
 }  // namespace

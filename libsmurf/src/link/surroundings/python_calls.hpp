@@ -28,7 +28,15 @@ struct Piece {
   };
   Kind kind = Kind::unknown;
   std::string text;
-  Span span;
+  Span span;  ///< of several literals that were joined, the last
+  struct Part {
+    std::size_t end = 0;  ///< in `text`
+    Span span;
+  };
+  std::vector<Part> parts = {};  ///< these literals; empty if it is one
+
+  /// The literal with the character at this place of `text`.
+  Span span_at(std::size_t at) const;
 };
 
 struct Keyword;

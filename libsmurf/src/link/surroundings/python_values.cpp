@@ -21,6 +21,12 @@ const std::string* Value::literal() const {
   return is_known ? &pieces.front().text : nullptr;
 }
 
+Span Piece::span_at(std::size_t at) const {
+  const auto part =
+      std::find_if(parts.begin(), parts.end(), [&](const Part& one) { return at < one.end; });
+  return part == parts.end() ? span : part->span;
+}
+
 Value join_texts(const std::vector<Value>& parts, std::string_view between) {
   Value all;
   all.kind = Value::Kind::text;
@@ -44,8 +50,13 @@ Value join_texts(const std::vector<Value>& parts, std::string_view between) {
       joined.push_back(std::move(one));
       continue;
     }
-    joined.back().text += one.text;
-    if (one.text != between) joined.back().span = one.span;
+    Piece& last = joined.back();
+    if (last.parts.empty()) last.parts.push_back({last.text.size(), last.span});
+    const std::size_t before = last.text.size();
+    last.text += one.text;
+    if (one.parts.empty()) last.parts.push_back({last.text.size(), one.span});
+    for (const Piece::Part& part : one.parts) last.parts.push_back({before + part.end, part.span});
+    if (one.text != between) last.span = one.span;
   }
   all.pieces = std::move(joined);
   return all;

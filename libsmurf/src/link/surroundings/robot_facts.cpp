@@ -97,7 +97,8 @@ class RobotFacts {
           document, xml::ElementId{static_cast<std::uint32_t>(&one - document.elements.data())});
       if (element.name() == "xacro:arg" && element.attribute("name") != nullptr) {
         found_.arguments.push_back({std::string(element.attribute("name")->value()),
-                                    element.attribute("default") != nullptr});
+                                    element.attribute("default") != nullptr,
+                                    element.attribute("name")->value_span()});
       }
       for (const xml::Attribute& attribute : element.attributes()) {
         note_uses(attribute.value());

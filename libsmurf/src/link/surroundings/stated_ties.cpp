@@ -184,6 +184,34 @@ const std::vector<StatedTie>& StatedTies::in_package(const NearPackage& package,
   return *packages_.emplace(package.folder, std::move(ties)).first->second;
 }
 
+GivenFiles::GivenFiles(const LinkedModel& robot, const std::vector<NearPackage>& packages,
+                       LoadContext& context) {
+  const std::string id = context.files.identity(robot.urdf_path);
+  const std::string main = context.files.identity(robot.path);
+  for (const CompanionTie& tie : context.ties) {
+    const std::string other = context.files.identity(tie.robot);
+    auto& files = other == id || other == main ? configured_.own : configured_.others;
+    for (const std::string& one : tie.files) files.insert(path::normalize(one));
+  }
+  for (const NearPackage& package : packages) {
+    for (const StatedTie& tie :
+         search_of(context).companions->stated->in_package(package, context)) {
+      const bool is_own = std::find(tie.robots.begin(), tie.robots.end(), id) != tie.robots.end();
+      auto& files = is_own ? stated_.own : stated_.others;
+      files.insert(path::normalize(tie.by));
+      for (const std::string& one : tie.files) files.insert(path::normalize(one));
+    }
+  }
+}
+
+Whose GivenFiles::whose(const std::string& path) const {
+  for (const Files* one : {&configured_, &stated_}) {
+    if (one->own.contains(path)) return Whose::own;
+    if (one->others.contains(path)) return Whose::others;
+  }
+  return Whose::any;
+}
+
 std::vector<xacro::SeenArgument> stated_arguments(const std::string& robot, LoadContext& context) {
   std::vector<xacro::SeenArgument> found;
   const std::string id = context.files.identity(robot);

@@ -6,12 +6,14 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "link/companions/places.hpp"
 #include "smurf/companions.hpp"
 #include "smurf/load.hpp"
+#include "smurf/surroundings.hpp"
 #include "xacro/seen_arguments.hpp"
 
 namespace smurf {
@@ -37,6 +39,24 @@ class StatedTies {
  private:
   std::mutex mutex_;
   std::map<std::string, std::unique_ptr<const std::vector<StatedTie>>> packages_;  ///< by folder
+};
+
+/// The files that the configuration, a launch file or a .setup_assistant gives to robots; a launch
+/// file is given to the robots that it starts.
+class GivenFiles {
+ public:
+  GivenFiles() = default;
+  /// Those in these packages.
+  GivenFiles(const LinkedModel& robot, const std::vector<NearPackage>& packages,
+             LoadContext& context);
+  /// Whose a file is; `path` is normal.
+  Whose whose(const std::string& path) const;
+
+ private:
+  struct Files {
+    std::set<std::string> own, others;  ///< by normal path
+  };
+  Files configured_, stated_;
 };
 
 /// The values that these files give to the xacro of a robot, which need not be loaded: the first of

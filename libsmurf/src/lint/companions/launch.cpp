@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Source: geometry2 static_transform_broadcaster_program.cpp, branches humble and rolling.
 #include "lint/companions/launch.hpp"
 
 #include <algorithm>
@@ -46,36 +45,6 @@ std::string_view xacro_call(const LaunchFile& launch) {
 bool runs(const LaunchNode& node, std::string_view package, std::string_view executable) {
   return node.package.is_known && node.executable.is_known && node.package.text == package &&
          node.executable.text == executable;
-}
-
-std::optional<StaticTransform> static_transform_of(const LaunchNode& node) {
-  if (!node.executable.is_known || node.executable.text != "static_transform_publisher" ||
-      node.has_unknown_arguments) {
-    return std::nullopt;
-  }
-  StaticTransform found{&node, nullptr, nullptr};
-  std::vector<const LaunchText*> words;
-  for (std::size_t i = 0; i < node.arguments.size(); ++i) {
-    const LaunchText& one = node.arguments[i];
-    const LaunchText* next = i + 1 < node.arguments.size() ? &node.arguments[i + 1] : nullptr;
-    if (one.text == "--frame-id") found.parent = next;
-    if (one.text == "--child-frame-id") found.child = next;
-    words.push_back(&one);
-  }
-  const bool has_options = std::any_of(words.begin(), words.end(), [](const LaunchText* one) {
-    return one->text.starts_with("--");
-  });
-  constexpr std::size_t kEuler = 8, kQuaternion = 9;  // x y z yaw pitch roll PARENT CHILD
-  if (!has_options &&
-      (words.size() == kEuler || words.size() == kQuaternion || words.size() == kQuaternion + 1)) {
-    // ROS 1 has a period at the end.
-    const std::size_t end = words.back()->text.find_first_not_of("0123456789.") == std::string::npos
-                                ? words.size() - 1
-                                : words.size();
-    found.parent = words[end - 2];
-    found.child = words[end - 1];
-  }
-  return found;
 }
 
 bool is_published_elsewhere(const Surroundings& surroundings, std::string_view frame) {

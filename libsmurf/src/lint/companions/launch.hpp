@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/findings/readers.hpp"
+#include "link/surroundings/frame_names.hpp"
 #include "lint/queries.hpp"
 #include "smurf/companions.hpp"
 
@@ -30,14 +31,6 @@ bool is_ros_package(std::string_view name);
 
 /// Whether a node runs this program of a package.
 bool runs(const LaunchNode& node, std::string_view package, std::string_view executable);
-
-/// A static transform between two frames.
-struct StaticTransform {
-  const LaunchNode* node = nullptr;
-  const LaunchText* parent = nullptr;  ///< null if they are not written
-  const LaunchText* child = nullptr;
-};
-std::optional<StaticTransform> static_transform_of(const LaunchNode& node);
 
 /// Whether a frame is one of another description, or published by a launch file.
 bool is_published_elsewhere(const Surroundings& surroundings, std::string_view frame);
