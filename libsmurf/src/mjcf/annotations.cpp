@@ -18,6 +18,8 @@
 #include "base/text/quoted.hpp"
 #include "base/text/words.hpp"
 #include "imports/traced_yaml.hpp"
+#include "mjcf/measured_frames.hpp"
+#include "mjcf/moved_inertia.hpp"
 #include "mjcf/robot.hpp"
 
 namespace smurf::mjcf {
@@ -80,71 +82,126 @@ class AnnotationWriter {
     if (name == nullptr) return;  // reported with its efforts
     const Joint* joint = parts_.joint(name, one.around);
     if (joint == nullptr) return;
-    const ModelFile& file = *one.around.file;
-    const Attribute* class_name = one.element.attribute("class");
-    const Settings s(one.element,
-                     file.find_class(class_name != nullptr ? class_name->value() : "main"));
+    const Settings s = settings_of_actuator(one);
     const std::optional<Servo> servo = servo_of(s, reporter_);
     if (!servo) {
       lost(one, "SMURF has no motor like this " + quoted(one.element.name()) + ", so it is lost");
       return;
     }
-    const std::string_view kind = servo->kind;
-    const bool holds = kind == "position" || kind == "intvelocity";
+    if (joint->type != Joint::Type::hinge && joint->type != Joint::Type::slide) {
+      lost(one, "a motor of SMURF moves a joint with one axis, so this one is lost");
+      return;
+    }
     if (!driven_.insert(joint->name).second) {
       lost(one, "a joint of SMURF has one motor, so this second one is lost");
       return;
     }
+    motor(one, *joint, s, *servo);
+    lost_settings(one, s, *servo);
+  }
+
+  void motor(const Reference& one, const Joint& joint, const Settings& s, const Servo& servo) {
+    const std::string_view kind = servo.kind;
+    const bool holds = kind == "position" || kind == "intvelocity";
     const Place tag{one.element.name_span(), one.element.tag_span(), one.around.frame};
-    line("- ", "name", yaml_text(joint->name), tag);
-    line("  ", "joint", yaml_text(joint->name), s.place({"joint", "jointinparent"}));
-    // A command and a force are those of the motor, before the gear.
-    std::array<double, 6> gears{1, 0, 0, 0, 0, 0};
-    s.numbers("gear", gears, 1, reporter_);
-    const double gear = gears[0] != 0 && std::isfinite(gears[0]) ? gears[0] : 1;
+    line("- ", "name", yaml_text(joint.name), tag);
+    line("  ", "joint", yaml_text(joint.name), s.place({"joint", "jointinparent"}));
     line("  ", "type", holds ? "PID" : kind == "motor" ? "direct_effort" : "DC", tag);
-    if (holds) {
-      line("  ", "p", format_number(servo->kp), s.place({"kp", "gainprm"}));
-      line("  ", "i", "0", tag);
-      line("  ", "d", format_number(servo->kv), s.place({"kv", "biasprm"}));
-      line("  ", "kp", format_number(gear * gear * servo->kp), s.place({"kp", "gainprm", "gear"}));
-    }
+    // A command and a force are those of the motor, before the gear.
+    const double gear = gear_of(s, reporter_);
     if (holds || kind == "velocity") {
-      line("  ", "kv", format_number(gear * gear * servo->kv), s.place({"kv", "biasprm", "gear"}));
+      const double kv = damping_of(joint, s, servo, gear);
+      const Place of_kv = s.place({"kv", "biasprm", "dampratio"});
+      if (holds) {
+        line("  ", "p", format_number(servo.kp), s.place({"kp", "gainprm"}));
+        line("  ", "i", "0", tag);
+        line("  ", "d", format_number(kv), of_kv);
+        line("  ", "kp", format_number(gear * gear * servo.kp), s.place({"kp", "gainprm", "gear"}));
+      }
+      line("  ", "kv", format_number(gear * gear * kv), of_kv);
     }
-    if (const Attribute* ratio = s.find("dampratio")) {
-      reporter_
-          .lose(ratio->value_span(),
-                "SMURF has the damping of a motor as a number, so `dampratio` is lost",
-                "lost values")
-          .help("write `kv`");
+    if (joint.armature > 0)
+      line("  ", "armature", format_number(joint.armature), joint.settings.place({"armature"}));
+    const auto range = commands_of(joint, s, gear);
+    if (range && holds) {
+      line("  ", "minValue", format_number((*range)[0]), s.place({"ctrlrange", "gear"}));
+      line("  ", "maxValue", format_number((*range)[1]), s.place({"ctrlrange", "gear"}));
+    } else if (range && kind == "velocity") {
+      line("  ", "maxSpeed",
+           format_number(std::max(std::fabs((*range)[0]), std::fabs((*range)[1]))),
+           s.place({"ctrlrange"}));
+      if ((*range)[0] != -(*range)[1])
+        lost(one, "a motor of SMURF is as fast in both directions, so the smaller bound is lost");
     }
-    const double armature = joint->settings.number("armature", 0, reporter_);
-    if (armature > 0)
-      line("  ", "armature", format_number(armature), joint->settings.place({"armature"}));
+    // Readers of SMURF take what is not written as 0, and MuJoCo as no limit.
+    if (kind != "motor" && !(range && kind == "velocity")) line("  ", "maxSpeed", kNoLimit, tag);
+    efforts(one, joint, s);
+  }
+
+  /// Before the gear. A ratio is about the inertia that the joint moves.
+  double damping_of(const Joint& joint, const Settings& s, const Servo& servo, double gear) {
+    if (!(servo.ratio > 0)) return servo.kv;
+    if (!inertias_) inertias_.emplace(model_);
+    const std::optional<double> moved = inertias_->of(joint, parts_.index_of_body(joint));
+    if (moved) return 2 * servo.ratio * std::sqrt(servo.kp * *moved) / std::fabs(gear);
+    reporter_
+        .lose(s.place({"dampratio", "biasprm"}).origin,
+              "the damping that this ratio means depends on a mass that is unknown, so it is lost",
+              "lost values")
+        .help("write `kv`");
+    return servo.kv;
+  }
+
+  /// The range of positions or speeds of the joint that a motor is commanded with.
+  std::optional<std::array<double, 2>> commands_of(const Joint& joint, const Settings& s,
+                                                   double gear) {
     std::array<double, 2> range{};
     const bool is_limited = s.text("ctrllimited") != "false" &&
                             s.numbers("ctrlrange", range, 2, reporter_) == 2 && range[0] < range[1];
+    const double inherited = s.number("inheritrange", 0, reporter_);
+    if (!is_limited && inherited > 0 && joint.range[0] < joint.range[1]) {
+      const double middle = (joint.range[0] + joint.range[1]) / 2;
+      const double half = inherited * (joint.range[1] - joint.range[0]) / 2;
+      range = {middle - half, middle + half};
+    } else if (!is_limited) {
+      return std::nullopt;
+    }
     for (double& bound : range) bound /= gear;
     if (gear < 0) std::swap(range[0], range[1]);
-    if (is_limited && holds) {
-      line("  ", "minValue", format_number(range[0]), s.place({"ctrlrange", "gear"}));
-      line("  ", "maxValue", format_number(range[1]), s.place({"ctrlrange", "gear"}));
-    } else if (is_limited && kind == "velocity") {
-      line("  ", "maxSpeed", format_number(std::max(std::fabs(range[0]), std::fabs(range[1]))),
-           s.place({"ctrlrange"}));
+    return range;
+  }
+
+  /// The range of the force at the joint: that of the motor within that of all motors together.
+  void efforts(const Reference& one, const Joint& joint, const Settings& s) {
+    const Place place = s.place({"forcerange", "ctrlrange", "gear"});
+    auto range = effort_range_of(s, reporter_);
+    if (joint.force_range) {
+      const auto& [low, high] = *joint.force_range;
+      range = range ? std::array{std::max(low, (*range)[0]), std::min(high, (*range)[1])}
+                    : *joint.force_range;
     }
-    // Readers of SMURF take what is not written as 0, and MuJoCo as no limit.
-    if (kind != "motor" && !(is_limited && kind == "velocity"))
-      line("  ", "maxSpeed", kNoLimit, tag);
-    auto effort = effort_of(s, reporter_);
-    if (joint->force_range) {
-      const auto& [low, high] = *joint->force_range;
-      const double most = std::max(std::fabs(low), std::fabs(high));
-      effort = std::min(effort.value_or(most), most);
+    if (!range) return line("  ", "maxEffort", kNoLimit, place);
+    const auto& [low, high] = *range;
+    if (high > 0) {
+      line("  ", "maxEffort", format_number(high), place);
+      if (low != -high) line("  ", "minEffort", format_number(low), place);
+    } else {
+      line("  ", "maxEffort", format_number(std::fabs(low)), place);
+      lost(one, "a motor of SMURF pushes in both directions, so a range below 0 is lost");
     }
-    line("  ", "maxEffort", effort ? format_number(*effort) : kNoLimit,
-         s.place({"forcerange", "ctrlrange", "gear"}));
+  }
+
+  /// What an actuator has besides its law and its ranges.
+  void lost_settings(const Reference& one, const Settings& s, const Servo& servo) {
+    std::vector<std::string> names;
+    for (const std::string_view name : {"timeconst", "delay", "nsample", "actrange"}) {
+      const Attribute* set = s.find(name);
+      if (set != nullptr && set->value() != "0") names.push_back(quoted(name));
+    }
+    if (servo.kind == "intvelocity") names.emplace_back("the integrator of its speed");
+    if (names.empty()) return;
+    const std::string all = enumerated(names);
+    lost(one, "a motor of SMURF has none of these, so they are lost: " + all);
   }
 
   /// Joints without a motor, which would have their armature. Of a ball, which a URDF has three
@@ -196,12 +253,19 @@ class AnnotationWriter {
       return;
     }
     const bool is_of_joint = row - std::begin(kTypes) < 4;
-    const auto [target, link] = is_of_joint ? joint_of(one) : link_of(one);
+    const std::optional<MeasuredFrame> frame =
+        is_of_joint ? std::nullopt : measured_frame(model_, parts_, one, reporter_);
+    if (!is_of_joint && is_part_of_imu(one)) return;
+    if (!is_of_joint && !is_sayable(kind, frame)) {
+      lost(one, one.element.attribute("reftype") != nullptr
+                    ? "SMURF has no " + quoted(kind) + " in another frame, so this one is lost"
+                    : "no link has the frame of this " + quoted(kind) + ", so it is lost");
+      return;
+    }
+    const auto [target, link] = is_of_joint ? joint_of(one) : link_of(*frame);
     if (target.empty()) {
-      if (!is_part_of_imu(one))
-        lost(one, "SMURF has no " + quoted(kind) +
-                      " of a frame beside that of a link, so this "
-                      "one is lost");
+      lost(one, "SMURF has no " + quoted(kind) +
+                    " of a joint with several axes or of a tendon, so this one is lost");
       return;
     }
     const Attribute* name = one.element.attribute("name");
@@ -213,6 +277,31 @@ class AnnotationWriter {
     line("  ", "type", row->second, tag);
     line("  ", "link", yaml_text(link), tag);
     line("  ", "id", "[" + yaml_text(target) + "]", tag);
+    if (frame) offset(kind, frame->X_BF, {one.element.attribute("objname")->value_span(), tag.use});
+  }
+
+  /// Whether a sensor can say it: the axes count for an orientation only.
+  bool is_sayable(std::string_view kind, const std::optional<MeasuredFrame>& frame) const {
+    if (!frame || (frame->body == 0 && !needs_world(model_))) return false;
+    return frame->has_known_axes || kind != "framequat";
+  }
+
+  /// What a sensor measures of a frame beside that of its link; the velocity of turning is the same
+  /// everywhere on a link.
+  void offset(std::string_view kind, const Pose& X_LF, const Place& place) {
+    const auto& [position, q] = X_LF;
+    if (is_one_of(kind, {"framepos", "framelinvel"}) && position != Vector3{}) {
+      line("  ", "position_offset",
+           "{x: " + format_number(position[0]) + ", y: " + format_number(position[1]) +
+               ", z: " + format_number(position[2]) + "}",
+           place);
+    }
+    if (kind == "framequat" && to_rpy(q) != Vector3{}) {
+      line("  ", "orientation_offset",
+           "{w: " + format_number(q.w) + ", x: " + format_number(q.x) +
+               ", y: " + format_number(q.y) + ", z: " + format_number(q.z) + "}",
+           place);
+    }
   }
 
   /// The joint that a sensor measures, and the link that it moves.
@@ -232,33 +321,18 @@ class AnnotationWriter {
     return {joint->name, parts_.body_of(*joint).name};
   }
 
-  /// The link whose frame a sensor measures in the world.
-  std::pair<std::string, std::string> link_of(const Reference& one) const {
-    const Attribute* kind = one.element.attribute("objtype");
-    const Attribute* name = one.element.attribute("objname");
-    if (kind == nullptr || name == nullptr || one.element.attribute("reftype") != nullptr)
-      return {};
-    if (kind->value() == "site") {
-      const Site* site = parts_.site(name, one.around);
-      if (site == nullptr || site->pose.position != Vector3{} ||
-          to_rpy(site->pose.orientation) != Vector3{})
-        return {};
-      const std::string& link = model_.bodies[site->body].name;
-      return {link, link};
-    }
-    const auto index = parts_.body(name, one.around);
-    if (!index) return {};
-    const Body& body = model_.bodies[*index];
-    // A "body" is the frame of the inertia, which may be turned.
-    const bool is_turned = !body.mass || body.mass->center != Vector3{} || body.inertial;
-    if (kind->value() != "xbody" && is_turned) return {};
-    return {body.name, body.name};
+  std::pair<std::string, std::string> link_of(const MeasuredFrame& frame) const {
+    const std::string& link = model_.bodies[frame.body].name;
+    return {link, link};
   }
 
-  /// The orientation of a site whose accelerations are measured, too.
-  bool is_part_of_imu(const Reference& one) const {
-    const Site* site = parts_.site(one.element.attribute("objname"), one.around);
-    return site != nullptr && one.element.name() == "framequat" && imus_.contains(site);
+  /// The first orientation of a site whose accelerations are measured, too.
+  bool is_part_of_imu(const Reference& one) {
+    const Attribute* kind = one.element.attribute("objtype");
+    if (one.element.name() != "framequat" || kind == nullptr || kind->value() != "site" ||
+        one.element.attribute("reftype") != nullptr)
+      return false;
+    return imus_.erase(parts_.site(one.element.attribute("objname"), one.around)) > 0;
   }
 
   /// Which shapes touch which, if not all of them touch each other, and how they slide.
@@ -382,8 +456,9 @@ class AnnotationWriter {
   Reporter& reporter_;
   imports::TracedYaml yaml_;
   PartsByName parts_;
-  std::set<const Site*> imus_;  ///< whose accelerations are measured
+  std::set<const Site*> imus_;  ///< whose accelerations are measured, and not yet their orientation
   std::set<std::string> driven_;
+  std::optional<MovedInertia> inertias_;  ///< where a damping depends on it
   std::size_t keys_ = 0;
 };
 

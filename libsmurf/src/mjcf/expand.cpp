@@ -37,6 +37,7 @@ Imported expand(SourceId root, Context& context) {
     arrange(model);
     name_all(model);
     tune_springs(model, reporter);
+    add_actuators(model, reporter);
     JointFacts facts = facts_of_joints(model, reporter);
     robot.frames = std::move(model.frames);
     if (!reporter.lacks_file()) model.files.front().report_unused_classes();

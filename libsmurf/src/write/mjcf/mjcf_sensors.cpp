@@ -17,7 +17,7 @@ RepeatedParts mjcf_repeated_parts(const LinkedModel& model) {
       parts.names += 2;
     }
   }
-  for (const JointDrive& drive : joint_drives(model)) {
+  for (const JointDrive& drive : joint_drives(model, {}, FollowerDrives::as_written)) {
     parts.bytes += kElement + drive.name.size();
     parts.names += 2;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/mjcf/mujoco_sensors.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -40,7 +41,7 @@ class SensorReader {
  public:
   SensorReader(const LinkedModel& model, const MotorOptions& options)
       : model_(model), X_RL_(forward_kinematics(model, {})), boxes_(model) {
-    for (const JointDrive& drive : joint_drives(model, options))
+    for (const JointDrive& drive : joint_drives(model, options, FollowerDrives::as_written))
       motors_.emplace(drive.joint, drive.name);
   }
 
@@ -265,13 +266,29 @@ class SensorReader {
     return add_readings(sensor, std::move(readings));
   }
 
+  /// A frame beside that of a link is that of a site.
   bool is_frame_taken(const Sensor& sensor, std::string_view element) {
-    std::vector<MujocoReading> readings;
-    for (const std::string& name : targets({&sensor.id, &sensor.links})) {
-      if (!link(name)) return false;
-      readings.push_back({element, "objname", name, "/" + name});
+    const std::vector<std::string> names = targets({&sensor.id, &sensor.links});
+    if (std::any_of(names.begin(), names.end(), [&](const auto& one) { return !link(one); }))
+      return false;
+    const Pose X_LF = offset_of(sensor);
+    if (X_LF.position == Vector3{} && X_LF.orientation == Quaternion{}) {
+      std::vector<MujocoReading> readings;
+      for (const std::string& name : names)
+        readings.push_back({element, "objname", name, "/" + name});
+      return add_readings(sensor, std::move(readings));
     }
-    return add_readings(sensor, std::move(readings));
+    if (names.empty() || !can_afford(names.size(), *sensor.name)) return false;
+    for (const std::string& name : names)
+      add(*sensor.name + "/" + name, link(name), X_LF, {{element, "objname", {}}});
+    return true;
+  }
+
+  Pose offset_of(const Sensor& sensor) const {
+    const yaml::Document* document = model_.document(sensor.span.source);
+    if (document == nullptr) return {};
+    const SensorKeys keys(yaml::View(*document, sensor.node));
+    return keys.camera_pose();
   }
 
   const LinkedModel& model_;
@@ -324,6 +341,8 @@ bool is_said_by_mujoco(const Sensor& sensor, std::string_view key) {
                            "verticalOpeningAngle", "maxDistance"});
   }
   if (type == "NodeContact" || type == "NodeContactForce") return key == "collisions";
+  if (type == "NodePosition" || type == "NodeVelocity") return key == "position_offset";
+  if (type == "NodeRotation") return key == "orientation_offset";
   return type == "CameraSensor" &&
          is_one_of(key, {"opening_width", "opening_height", "opening_angle", "opening_angle2",
                          "position_offset", "orientation_offset"});
