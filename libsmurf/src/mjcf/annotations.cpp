@@ -138,11 +138,12 @@ class AnnotationWriter {
     efforts(one, joint, s);
   }
 
-  /// Before the gear. A ratio is about the inertia that the joint moves.
+  /// Before the gear. A ratio is about the inertia that the joint moves, with all other joints
+  /// free.
   double damping_of(const Joint& joint, const Settings& s, const Servo& servo, double gear) {
     if (!(servo.ratio > 0)) return servo.kv;
     if (!inertias_) inertias_.emplace(model_);
-    const std::optional<double> moved = inertias_->of(joint, parts_.index_of_body(joint));
+    const std::optional<double> moved = inertias_->free(joint);
     if (moved) return 2 * servo.ratio * std::sqrt(servo.kp * *moved) / std::fabs(gear);
     reporter_
         .lose(s.place({"dampratio", "biasprm"}).origin,

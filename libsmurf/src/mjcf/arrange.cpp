@@ -175,7 +175,7 @@ void tune_springs(Model& model, Reporter& reporter) {
       joint.settings.numbers("springdamper", wanted, 2, reporter);
       if (!(wanted[0] > 0) || !(wanted[1] > 0) || joint.type == Joint::Type::free) continue;
       if (!inertias) inertias.emplace(model);
-      const double inertia = inertias->of(joint, i).value_or(joint.armature);
+      const double inertia = inertias->locked(joint, i).value_or(joint.armature);
       constexpr double kLeast = 1e-15;
       joint.stiffness = inertia / std::max(kLeast, wanted[0] * wanted[0] * wanted[1] * wanted[1]);
       joint.damping = 2 * inertia / std::max(kLeast, wanted[0]);

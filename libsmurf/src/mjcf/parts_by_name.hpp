@@ -24,8 +24,7 @@ class PartsByName {
   const Reference* actuator(const Attribute* name, const Surroundings& around) const;
 
   /// The body that a joint moves.
-  const Body& body_of(const Joint& joint) const { return model_.bodies[index_of_body(joint)]; }
-  std::uint32_t index_of_body(const Joint& joint) const { return moved_.at(&joint); }
+  const Body& body_of(const Joint& joint) const { return model_.bodies[moved_.at(&joint)]; }
 
  private:
   template <class Part>
