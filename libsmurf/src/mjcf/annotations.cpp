@@ -249,60 +249,84 @@ class AnnotationWriter {
       const Site* site = parts_.site(one.element.attribute("site"), one.around);
       const bool is_placed =
           is_one_of(kind, {"accelerometer", "gyro", "force", "torque", "touch", "rangefinder"});
-      if (!is_placed || site == nullptr || site->body == 0)
+      if (!is_placed || site == nullptr || site->body == 0) {
         lost(one, "SMURF has no sensor like " + quoted(kind) + ", so this one is lost");
+      } else if (kind == "touch") {
+        reporter_
+            .lose(
+                one.element.name_span(),
+                "a contact sensor of SMURF measures all of a link, so the size of the site is lost",
+                "lost sizes of sites")
+            .help("keep the MJCF for it");
+      }
       return;
     }
-    const bool is_of_joint = row - std::begin(kTypes) < 4;
-    const std::optional<MeasuredFrame> frame =
-        is_of_joint ? std::nullopt : measured_frame(model_, parts_, one, reporter_);
-    if (!is_of_joint && is_part_of_imu(one)) return;
-    if (!is_of_joint && !is_sayable(kind, frame)) {
-      lost(one, one.element.attribute("reftype") != nullptr
-                    ? "SMURF has no " + quoted(kind) + " in another frame, so this one is lost"
-                    : "no link has the frame of this " + quoted(kind) + ", so it is lost");
-      return;
-    }
-    const auto [target, link] = is_of_joint ? joint_of(one) : link_of(*frame);
+    if (row - std::begin(kTypes) >= 4) return frame_sensor(one, row->second);
+    const auto [target, link] = joint_of(one);
     if (target.empty()) {
       lost(one, "SMURF has no " + quoted(kind) +
                     " of a joint with several axes or of a tendon, so this one is lost");
       return;
     }
+    sensor_head(one, row->second, target, link);
+  }
+
+  void sensor_head(const Reference& one, std::string_view type, const std::string& target,
+                   const std::string& link) {
     const Attribute* name = one.element.attribute("name");
     const Place tag{one.element.name_span(), one.element.tag_span(), one.around.frame};
     line("- ", "name",
          yaml_text(name != nullptr ? full_name(name->value(), one.around)
-                                   : target + "_" + std::string(kind)),
+                                   : target + "_" + std::string(one.element.name())),
          tag);
-    line("  ", "type", row->second, tag);
+    line("  ", "type", type, tag);
     line("  ", "link", yaml_text(link), tag);
     line("  ", "id", "[" + yaml_text(target) + "]", tag);
-    if (frame) offset(kind, frame->X_BF, {one.element.attribute("objname")->value_span(), tag.use});
   }
 
-  /// Whether a sensor can say it: the axes count for an orientation only.
-  bool is_sayable(std::string_view kind, const std::optional<MeasuredFrame>& frame) const {
-    if (!frame || (frame->body == 0 && !needs_world(model_))) return false;
-    return frame->has_known_axes || kind != "framequat";
+  /// A sensor of a frame, in the world or in another frame.
+  void frame_sensor(const Reference& one, std::string_view type) {
+    if (is_part_of_imu(one)) return;
+    const std::string_view kind = one.element.name();
+    const bool is_place = is_one_of(kind, {"framepos", "framelinvel"});
+    const bool is_relative = one.element.attribute("reftype") != nullptr;
+    const auto frame = measured_frame(model_, parts_, one, "obj", reporter_);
+    const auto reference = measured_frame(model_, parts_, one, "ref", reporter_);
+    const bool is_known = is_on_link(frame) && (frame->has_known_axes || kind != "framequat") &&
+                          (!is_relative || (is_on_link(reference) && reference->has_known_axes));
+    if (!is_known)
+      return lost(one, "no link has the frame of this " + quoted(kind) + ", so it is lost");
+    const std::string& link = model_.bodies[frame->body].name;
+    sensor_head(one, type, link, link);
+    const Place place{one.element.attribute("objname")->value_span(), one.element.tag_span()};
+    // The velocity of turning is the same everywhere on a link.
+    if (is_place) position("position_offset", frame->X_BF.position, place);
+    if (kind == "framequat") orientation("orientation_offset", frame->X_BF.orientation, place);
+    if (!is_relative) return;
+    const Place other{one.element.attribute("refname")->value_span(), one.element.tag_span()};
+    line("  ", "reference", yaml_text(model_.bodies[reference->body].name), other);
+    if (is_place) position("reference_position", reference->X_BF.position, other);
+    orientation("reference_orientation", reference->X_BF.orientation, other);
   }
 
-  /// What a sensor measures of a frame beside that of its link; the velocity of turning is the same
-  /// everywhere on a link.
-  void offset(std::string_view kind, const Pose& X_LF, const Place& place) {
-    const auto& [position, q] = X_LF;
-    if (is_one_of(kind, {"framepos", "framelinvel"}) && position != Vector3{}) {
-      line("  ", "position_offset",
-           "{x: " + format_number(position[0]) + ", y: " + format_number(position[1]) +
-               ", z: " + format_number(position[2]) + "}",
-           place);
-    }
-    if (kind == "framequat" && to_rpy(q) != Vector3{}) {
-      line("  ", "orientation_offset",
-           "{w: " + format_number(q.w) + ", x: " + format_number(q.x) +
-               ", y: " + format_number(q.y) + ", z: " + format_number(q.z) + "}",
-           place);
-    }
+  bool is_on_link(const std::optional<MeasuredFrame>& frame) const {
+    return frame && (frame->body != 0 || needs_world(model_));
+  }
+
+  void position(std::string_view key, const Vector3& p, const Place& place) {
+    if (p == Vector3{}) return;
+    line("  ", key,
+         "{x: " + format_number(p[0]) + ", y: " + format_number(p[1]) +
+             ", z: " + format_number(p[2]) + "}",
+         place);
+  }
+
+  void orientation(std::string_view key, const Quaternion& q, const Place& place) {
+    if (to_rpy(q) == Vector3{}) return;
+    line("  ", key,
+         "{w: " + format_number(q.w) + ", x: " + format_number(q.x) + ", y: " + format_number(q.y) +
+             ", z: " + format_number(q.z) + "}",
+         place);
   }
 
   /// The joint that a sensor measures, and the link that it moves.
@@ -320,11 +344,6 @@ class AnnotationWriter {
                                                     joint->type == Joint::Type::slide);
     if (!has_one_value) return {};
     return {joint->name, parts_.body_of(*joint).name};
-  }
-
-  std::pair<std::string, std::string> link_of(const MeasuredFrame& frame) const {
-    const std::string& link = model_.bodies[frame.body].name;
-    return {link, link};
   }
 
   /// The first orientation of a site whose accelerations are measured, too.

@@ -39,11 +39,11 @@ std::optional<MeasuredFrame> of_inertia(const Body& body, std::uint32_t index, R
 }  // namespace
 
 std::optional<MeasuredFrame> measured_frame(const Model& model, const PartsByName& parts,
-                                            const Reference& sensor, Reporter& reporter) {
-  const Attribute* kind = sensor.element.attribute("objtype");
-  const Attribute* name = sensor.element.attribute("objname");
-  if (kind == nullptr || name == nullptr || sensor.element.attribute("reftype") != nullptr)
-    return std::nullopt;
+                                            const Reference& sensor, std::string_view which,
+                                            Reporter& reporter) {
+  const Attribute* kind = sensor.element.attribute(std::string(which) + "type");
+  const Attribute* name = sensor.element.attribute(std::string(which) + "name");
+  if (kind == nullptr || name == nullptr) return std::nullopt;
   if (kind->value() == "site") {
     const Site* site = parts.site(name, sensor.around);
     if (site == nullptr) return std::nullopt;

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 
 #include "mjcf/parts_by_name.hpp"
 
@@ -16,9 +17,10 @@ struct MeasuredFrame {
   bool has_known_axes = true;  ///< otherwise only its position is right
 };
 
-/// The frame that `objtype` and `objname` of a sensor name; none if it is measured relative to
-/// another frame (`reftype`), or is not known here.
+/// The frame that `objtype` and `objname` of a sensor name, or `reftype` and `refname`: `which` is
+/// "obj" or "ref". None if it is not known here, or not named.
 std::optional<MeasuredFrame> measured_frame(const Model& model, const PartsByName& parts,
-                                            const Reference& sensor, Reporter& reporter);
+                                            const Reference& sensor, std::string_view which,
+                                            Reporter& reporter);
 
 }  // namespace smurf::mjcf

@@ -266,29 +266,32 @@ class SensorReader {
     return add_readings(sensor, std::move(readings));
   }
 
-  /// A frame beside that of a link is that of a site.
+  /// A frame beside that of a link is that of a site, and so is that in which it is measured.
   bool is_frame_taken(const Sensor& sensor, std::string_view element) {
+    const yaml::Document* document = model_.document(sensor.span.source);
     const std::vector<std::string> names = targets({&sensor.id, &sensor.links});
-    if (std::any_of(names.begin(), names.end(), [&](const auto& one) { return !link(one); }))
-      return false;
-    const Pose X_LF = offset_of(sensor);
-    if (X_LF.position == Vector3{} && X_LF.orientation == Quaternion{}) {
+    const auto is_gone = [&](const std::string& name) { return !link(name); };
+    if (document == nullptr || std::any_of(names.begin(), names.end(), is_gone)) return false;
+    const yaml::View entry(*document, sensor.node);
+    const SensorKeys keys(entry);
+    const Pose X_LF{keys.vector("position_offset"), keys.rotation("orientation_offset")};
+    const yaml::View reference = entry.find("reference");
+    if (!reference && X_LF == Pose{}) {
       std::vector<MujocoReading> readings;
       for (const std::string& name : names)
         readings.push_back({element, "objname", name, "/" + name});
       return add_readings(sensor, std::move(readings));
     }
-    if (names.empty() || !can_afford(names.size(), *sensor.name)) return false;
+    if (names.empty() || !can_afford(names.size() + 1, *sensor.name)) return false;
+    MujocoReading reading{element, "objname", {}};
+    if (reference) {
+      const Pose X_LR{keys.vector("reference_position"), keys.rotation("reference_orientation")};
+      if (!add(*sensor.name + "/reference", link(reference.text()), X_LR, {})) return false;
+      reading.reference = sensors_.back().name;
+    }
     for (const std::string& name : names)
-      add(*sensor.name + "/" + name, link(name), X_LF, {{element, "objname", {}}});
+      add(*sensor.name + "/" + name, link(name), X_LF, {reading});
     return true;
-  }
-
-  Pose offset_of(const Sensor& sensor) const {
-    const yaml::Document* document = model_.document(sensor.span.source);
-    if (document == nullptr) return {};
-    const SensorKeys keys(yaml::View(*document, sensor.node));
-    return keys.camera_pose();
   }
 
   const LinkedModel& model_;
@@ -341,8 +344,10 @@ bool is_said_by_mujoco(const Sensor& sensor, std::string_view key) {
                            "verticalOpeningAngle", "maxDistance"});
   }
   if (type == "NodeContact" || type == "NodeContactForce") return key == "collisions";
-  if (type == "NodePosition" || type == "NodeVelocity") return key == "position_offset";
-  if (type == "NodeRotation") return key == "orientation_offset";
+  if (is_one_of(type, {"NodePosition", "NodeVelocity", "NodeRotation", "NodeAngularVelocity"})) {
+    return is_one_of(key, {"position_offset", "orientation_offset", "reference",
+                           "reference_position", "reference_orientation"});
+  }
   return type == "CameraSensor" &&
          is_one_of(key, {"opening_width", "opening_height", "opening_angle", "opening_angle2",
                          "position_offset", "orientation_offset"});
