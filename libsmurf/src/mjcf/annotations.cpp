@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -28,8 +29,7 @@ namespace {
 using imports::yaml_text;
 
 const std::string kNoLimit = "1e+16";
-/// Of MuJoCo: sliding, torsional and rolling.
-constexpr std::array<double, 3> kUsualFriction{1, 0.005, 0.0001};
+constexpr std::size_t kMost = std::numeric_limits<std::size_t>::max();
 
 class AnnotationWriter {
  public:
@@ -47,7 +47,6 @@ class AnnotationWriter {
     undriven();
     section("sensors", "sensor", [&](const Reference& one) { sensor(one); });
     collisions();
-    contact_settings();
     section("poses", "keyframe", [&](const Reference& one) { keyframe(one); });
     return yaml_.take();
   }
@@ -382,90 +381,88 @@ class AnnotationWriter {
         line("- ", "name", yaml_text(geom.name), has_bits ? bits : friction);
         line("  ", "link", yaml_text(body.name), has_bits ? bits : friction);
         if (has_bits) line("  ", "bitmask", std::to_string(geom.contype), bits);
-        line("  ", "cfriction1", format_number(friction_of(geom)[0]), friction);
+        line("  ", "cfriction1", format_number(friction_of(geom, reporter_)[0]), friction);
       }
     }
-  }
-
-  /// Sliding, torsional and rolling.
-  std::array<double, 3> friction_of(const Geom& geom) {
-    std::array<double, 3> friction = kUsualFriction;
-    geom.settings.numbers("friction", friction, 1, reporter_);
-    return friction;
-  }
-
-  /// How shapes that touch resist each other.
-  void contact_settings() {
-    constexpr std::string_view kNames[] = {"friction", "condim",   "solref", "solimp",
-                                           "margin",   "priority", "solmix", "gap"};
-    std::vector<std::string> lost;
-    Span place;
-    std::size_t count = 0;
-    for (const Body& body : model_.bodies) {
-      for (const Geom& geom : body.geoms) {
-        if (!touches(geom)) continue;
-        bool has_one = false;
-        for (const std::string_view name : kNames) {
-          const Attribute* set = geom.settings.find(name);
-          if (set == nullptr) continue;
-          const bool slides_only = name == "friction" &&
-                                   friction_of(geom)[1] == kUsualFriction[1] &&
-                                   friction_of(geom)[2] == kUsualFriction[2];
-          if (slides_only) continue;
-          has_one = true;
-          if (place.empty()) place = set->value_span();
-          if (std::find(lost.begin(), lost.end(), name) == lost.end()) lost.emplace_back(name);
-        }
-        if (has_one) ++count;
-      }
-    }
-    if (lost.empty()) return;
-    for (std::string& name : lost)
-      name = name == "friction" ? "torsional and rolling `friction`" : quoted(name);
-    const std::string names = enumerated(lost);
-    reporter_
-        .report(rules::sml9304_lost_in_urdf, place,
-                "SMURF has no settings for contacts of MuJoCo, so " +
-                    (count == 1 ? "a shape loses " : std::to_string(count) + " shapes lose ") +
-                    names)
-        .help("keep the MJCF for them");
   }
 
   void keyframe(const Reference& one) {
     if (one.around.file != &model_.files.front() || !one.around.prefix.empty()) return;
     const Attribute* values = one.element.attribute("qpos");
-    if (values == nullptr) return;
     std::size_t count = 0;
     for (const Body& body : model_.bodies) {
       for (const Joint& joint : body.joints) count += size_of(joint);
     }
     // Joints may be in a file that is not there.
-    constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
-    const auto numbers = numbers_of(*values, 0, reporter_.lacks_file() ? kAny : count, reporter_);
+    std::vector<double> numbers;
+    if (values != nullptr)
+      numbers = numbers_of(*values, 0, reporter_.lacks_file() ? kMost : count, reporter_);
     const Attribute* name = one.element.attribute("name");
     const Place tag{one.element.name_span(), one.element.tag_span()};
+    const Place place =
+        values != nullptr ? Place{values->value_span(), one.element.tag_span()} : tag;
     const std::string text =
         name != nullptr ? std::string(name->value()) : "key_" + std::to_string(keys_);
     ++keys_;
     line("- ", "name", yaml_text(text), tag);
     yaml_.plain("  joints:");
-    bool is_empty = true;
+    std::map<std::string_view, double> positions;
     std::size_t at = 0;
     for (const Body& body : model_.bodies) {
       for (const Joint& joint : body.joints) {
         const std::size_t size = size_of(joint);
-        if (size == 1 && at < numbers.size()) {
-          if (is_empty) yaml_.plain("\n");
-          is_empty = false;
-          line("    ", yaml_text(joint.name), format_number(numbers[at]),
-               {values->value_span(), one.element.tag_span()});
-        } else if (size > 1 && at < numbers.size()) {
+        if (size == 1) {
+          // What is not written is as in the reference.
+          const double position = at < numbers.size() ? numbers[at] : joint.reference;
+          if (positions.empty()) yaml_.plain("\n");
+          positions.emplace(joint.name, position);
+          line("    ", yaml_text(joint.name), format_number(position), place);
+        } else if (at < numbers.size()) {
           lost(one, "a pose of SMURF has no values of free and ball joints, so they are lost");
         }
         at += size;
       }
     }
-    if (is_empty) yaml_.plain(" {}\n");
+    if (positions.empty()) yaml_.plain(" {}\n");
+    motion_of_keyframe(one, positions);
+  }
+
+  /// Speeds, and commands other than those that hold the pose.
+  void motion_of_keyframe(const Reference& one,
+                          const std::map<std::string_view, double>& positions) {
+    const auto numbers = [&](std::string_view name) {
+      const Attribute* written = one.element.attribute(name);
+      return written == nullptr ? std::vector<double>() : numbers_of(*written, 0, kMost, reporter_);
+    };
+    const auto is_zero = [](double number) { return number == 0; };
+    std::vector<std::string> names;
+    for (const std::string_view name : {"qvel", "act"}) {
+      const std::vector<double> all = numbers(name);
+      if (!std::all_of(all.begin(), all.end(), is_zero)) names.push_back(quoted(name));
+    }
+    std::vector<double> holding;
+    for (const Reference& other : model_.sections) {
+      if (other.section == "actuator") holding.push_back(holding_command(other, positions));
+    }
+    std::vector<double> commands = numbers("ctrl");
+    holding.resize(commands.size());
+    const auto is_near = [](double a, double b) { return std::fabs(a - b) <= 1e-6; };
+    if (!std::equal(commands.begin(), commands.end(), holding.begin(), is_near))
+      names.push_back(quoted("ctrl"));
+    if (!names.empty())
+      lost(one, "a pose of SMURF has only positions of joints, so " + enumerated(names) +
+                    (names.size() == 1 ? " is lost" : " are lost"));
+  }
+
+  /// The command with which an actuator holds its joint; 0 for one that does not.
+  double holding_command(const Reference& one,
+                         const std::map<std::string_view, double>& positions) {
+    const Settings s = settings_of_actuator(one);
+    const auto servo = servo_of(s, reporter_);
+    const Joint* joint = parts_.joint(one.element.attribute("joint"), one.around);
+    if (!servo || servo->kind != "position" || joint == nullptr) return 0;
+    const auto known = positions.find(joint->name);
+    return known == positions.end() ? 0 : known->second * gear_of(s, reporter_);
   }
 
   static std::size_t size_of(const Joint& joint) {

@@ -48,6 +48,7 @@ Imported expand(SourceId root, Context& context) {
     std::string sections =
         reporter.lacks_file() ? std::string() : write_annotations(model, reporter, annotations);
     robot.is_complete = !reporter.has_refused();
+    if (!reporter.lacks_file()) report_unsaid(model, reporter);
     annotations.root = root;
     annotations.language = Language::mjcf;
     annotations.frames = robot.frames;

@@ -62,6 +62,13 @@ std::optional<Servo> servo_of(const Settings& s, Reporter& reporter);
 /// the force and, of a motor, that of the control, times the gear.
 std::optional<std::array<double, 2>> effort_range_of(const Settings& settings, Reporter& reporter);
 
+/// Of MuJoCo: sliding, torsional and rolling.
+inline constexpr std::array<double, 3> kUsualFriction{1, 0.005, 0.0001};
+std::array<double, 3> friction_of(const Geom& geom, Reporter& reporter);
+/// Reports what MuJoCo simulates, and neither a URDF nor SMURF says: how contacts, limits and
+/// friction give way, bodies that are held against gravity or moved by a program, and so on.
+void report_unsaid(const Model& model, Reporter& reporter);
+
 /// "" if there are neither motors nor poses.
 std::string write_annotations(const Model& model, Reporter& reporter, xacro::Expansion& expansion);
 std::string write_robot(const Model& model, const JointFacts& facts, Reporter& reporter,
