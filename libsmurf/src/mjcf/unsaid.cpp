@@ -18,6 +18,11 @@
 namespace smurf::mjcf {
 namespace {
 
+/// The value that a setting has in MuJoCo without being written.
+std::string_view usual(std::string_view name) {
+  return name == "condim" ? "3" : name == "solmix" ? "1" : "0";
+}
+
 /// The settings of one kind that some parts have.
 class Unsaid {
  public:
@@ -26,7 +31,7 @@ class Unsaid {
     bool has_one = false;
     for (const std::string_view name : names) {
       const Attribute* set = settings.find(name);
-      if (set == nullptr) continue;
+      if (set == nullptr || set->value() == usual(name)) continue;
       has_one = true;
       if (place_.empty()) place_ = set->value_span();
       if (std::find(names_.begin(), names_.end(), name) == names_.end()) names_.push_back(name);
@@ -34,7 +39,7 @@ class Unsaid {
     if (has_one) ++count_;
   }
 
-  /// "SMURF has no X, so 3 joints lose A and B".
+  /// "SMURF has no X, so 3 joints lose A and B"; `part`: with its article.
   void report(std::string_view why, std::string_view part, std::string_view parts,
               Reporter& reporter) const {
     if (names_.empty()) return;
@@ -42,7 +47,7 @@ class Unsaid {
     for (const std::string_view name : names_)
       words.push_back(name == "friction" ? "torsional and rolling `friction`" : quoted(name));
     const std::string who = count_ == 1
-                                ? "a " + std::string(part) + " loses "
+                                ? std::string(part) + " loses "
                                 : std::to_string(count_) + " " + std::string(parts) + " lose ";
     reporter
         .report(rules::sml9304_lost_in_urdf, place_,
@@ -69,7 +74,7 @@ void contacts(const Model& model, Reporter& reporter) {
       unsaid.add(geom.settings, names);
     }
   }
-  unsaid.report("SMURF has no settings for contacts of MuJoCo", "shape", "shapes", reporter);
+  unsaid.report("SMURF has no settings for contacts of MuJoCo", "a shape", "shapes", reporter);
 }
 
 /// A free joint is none in a URDF, so nothing can damp it.
@@ -92,8 +97,8 @@ void joints(const Model& model, Reporter& reporter) {
       soft.add(joint.settings, names);
     }
   }
-  soft.report("SMURF has no settings of MuJoCo for joints", "joint", "joints", reporter);
-  free.report("a body that floats has no joint in a URDF", "free joint", "free joints", reporter);
+  soft.report("SMURF has no settings of MuJoCo for joints", "a joint", "joints", reporter);
+  free.report("a body that floats has no joint in a URDF", "a free joint", "free joints", reporter);
 }
 
 void equalities(const Model& model, Reporter& reporter) {
@@ -117,7 +122,7 @@ void sensors(const Model& model, Reporter& reporter) {
     if (one.element.name() != "rangefinder") names.push_back("cutoff");
     unsaid.add(Settings(one.element, nullptr), names);
   }
-  unsaid.report("SMURF has no such settings of sensors", "sensor", "sensors", reporter);
+  unsaid.report("SMURF has no such settings of sensors", "a sensor", "sensors", reporter);
 }
 
 void bodies(const Model& model, Reporter& reporter) {
@@ -127,8 +132,9 @@ void bodies(const Model& model, Reporter& reporter) {
     if (body.gravcomp != 0) held.add(settings, {"gravcomp"});
     if (body.is_mocap) moved.add(settings, {"mocap"});
   }
-  held.report("a URDF has no force against gravity", "body", "bodies", reporter);
-  moved.report("a URDF has no body that a program moves: it is fixed", "body", "bodies", reporter);
+  held.report("a URDF has no force against gravity", "a body", "bodies", reporter);
+  moved.report("a URDF has no body that a program moves: it is fixed", "a body", "bodies",
+               reporter);
 }
 
 /// A value of a free joint is the whole pose of its body, which is at zero without one.
@@ -140,7 +146,7 @@ void poses(const Model& model, Reporter& reporter) {
       unsaid.add(Settings(body.element, nullptr),
                  {"pos", "quat", "euler", "axisangle", "xyaxes", "zaxis"});
   }
-  unsaid.report("a URDF does not say where a body begins to float", "body", "bodies", reporter);
+  unsaid.report("a URDF does not say where a body begins to float", "a body", "bodies", reporter);
 }
 
 }  // namespace
