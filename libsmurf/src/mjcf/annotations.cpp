@@ -47,6 +47,7 @@ class AnnotationWriter {
     undriven();
     section("sensors", "sensor", [&](const Reference& one) { sensor(one); });
     collisions();
+    tensors();
     section("poses", "keyframe", [&](const Reference& one) { keyframe(one); });
     return yaml_.take();
   }
@@ -383,6 +384,17 @@ class AnnotationWriter {
         if (has_bits) line("  ", "bitmask", std::to_string(geom.contype), bits);
         line("  ", "cfriction1", format_number(friction_of(geom, reporter_)[0]), friction);
       }
+    }
+  }
+
+  void tensors() {
+    bool is_open = false;
+    for (const Body& body : model_.bodies) {
+      if (!body.mass || !(body.mass->mass > 0) || body.mass->inertia != imports::kUnitTensor)
+        continue;
+      if (!std::exchange(is_open, true)) yaml_.plain("link:\n");
+      imports::keep_inertia(yaml_, body.name,
+                            {body.element.name_span(), body.element.tag_span(), body.frame});
     }
   }
 
