@@ -83,11 +83,9 @@ void joints(const Model& model, Reporter& reporter) {
   for (const Body& body : model.bodies) {
     for (const Joint& joint : body.joints) {
       if (joint.type == Joint::Type::free) {
-        std::vector<std::string_view> names;
-        if (joint.damping != 0) names.push_back("damping");
-        if (joint.friction != 0) names.push_back("frictionloss");
-        if (joint.armature != 0) names.push_back("armature");
-        free.add(joint.settings, names);
+        // Those of defaults are hardly meant, and SML9308 says so.
+        free.add(Settings(joint.settings.element(), nullptr),
+                 {"damping", "frictionloss", "armature"});
         continue;
       }
       std::vector<std::string_view> names;

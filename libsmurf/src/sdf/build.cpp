@@ -68,10 +68,12 @@ class Builder {
       return true;
     }
     if (worlds.empty()) {
-      reporter_
-          .report(rules::sml9314_ignored_by_sdformat, file->root.name_span(),
-                  "the file has neither a model nor a world: libsdformat reads nothing in it")
-          .help("name a file with a `<model>`");
+      // libsdformat reads it; but nothing can be made of it.
+      Diagnostic& found =
+          reporter_.report(rules::sml9314_ignored_by_sdformat, file->root.name_span(),
+                           "the file has neither a model nor a world");
+      found.severity = Severity::error;
+      found.help("name a file with a `<model>`");
       return false;
     }
     model_.element = worlds.front();
