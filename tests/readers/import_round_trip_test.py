@@ -7,6 +7,7 @@ import_round_trip_test.py FOLDER_OF_PROGRAMS [-v]    -v prints each difference
 """
 import collections
 import json
+import math
 import pathlib
 import re
 import subprocess
@@ -32,7 +33,7 @@ SAID = {"mass": "so the mass of its bodies is unknown"}
 OTHER_MOTION = re.compile(
     r"no tendons|so (it|this one|this) is lost|settings of MuJoCo for joints|without giving way|force against gravity|"
     r"a program moves|floats has no joint|spring of a joint with several axes|the mass of its bodies is unknown|"
-    r"and the coupling, are lost|closes a loop")
+    r"and the coupling, are lost|closes a loop|acts on the free joint")
 
 ROBOT = """<mujoco model="bot"><worldbody>
   <body name="base" pos="0 0 1"><joint name="a" axis="0 0 1" range="-90 90" armature=".02"/>
@@ -245,6 +246,53 @@ class RoundTripTest(unittest.TestCase):
         self.assertEqual(sorted(touching), [0.3, 1, 1, 1])
         motor, = robot.find("actuator")
         self.assertEqual((motor.get("gainprm").split()[0], motor.get("biasprm").split()), ("20", ["0", "-20", "-1"]))
+
+    def test_frames_of_sensors(self):
+        """Frames beside those of links, relative to another one, and of an inertia."""
+        text = ROBOT.replace('<jointpos name="jp"', """<framepos name="p" objtype="site" objname="tip" reftype="site" refname="imu"/>
+            <framequat name="q" objtype="site" objname="imu"/><framequat name="q2" objtype="site" objname="imu"/>
+            <framelinvel name="v" objtype="body" objname="arm"/><jointpos name="jp\"""")
+        robot = self.again(text, "mjcf")
+        sites = {one.get("name"): one for one in robot.iter("site")}
+        position, = robot.findall("sensor/framepos")
+        self.assertEqual([float(one) for one in sites[position.get("objname")].get("pos").split()], [0.3, 0, 0])
+        self.assertEqual([float(one) for one in sites[position.get("refname")].get("pos").split()], [0.1, 0, 0])
+        turn = [float(one) for one in sites[position.get("refname")].get("quat").split()]
+        self.assertAlmostEqual(turn[3], math.sqrt(0.5), 9)
+        self.assertEqual(len(robot.findall("sensor/framequat")), 2)  # that of the IMU, and another one
+        speed, = robot.findall("sensor/framelinvel")
+        self.assertAlmostEqual(float(sites[speed.get("objname")].get("pos").split()[0]), 0.15, 9)
+
+    def test_laws_of_motors(self):
+        """A law is kept where a chosen one would be another, on a follower, too; a ratio is about the inertia of MuJoCo."""
+        text = SEVERAL.replace("</mujoco>", """<equality><joint joint1="knee" joint2="turn"/></equality><actuator>
+            <position joint="turn" kp="1e4" kv="900" forcerange="-2 7" armature="2" damping="3" gear="2"/>
+            <position joint="knee" kp="30" dampratio="1"/><motor joint="x" ctrlrange="0 3"/></actuator></mujoco>""")
+        robot = self.again(text, "mjcf")
+        motors = {one.get("joint").split("/")[-1]: one for one in robot.find("actuator")}
+        self.assertEqual(motors["turn"].get("biasprm").split(), ["0", "-40000", "-3600"])
+        self.assertEqual(motors["turn"].get("forcerange").split(), ["-4", "14"])
+        self.assertIsNone(motors["turn"].get("ctrlrange"))
+        self.assertEqual(motors["x"].get("ctrlrange").split(), ["0", "3"])
+        joints = {one.get("name").split("/")[-1]: one for one in robot.find("worldbody").iter("joint")}
+        self.assertEqual((joints["turn"].get("armature"), joints["turn"].get("damping")), ("8", "12"))
+        self.assertGreater(-float(motors["knee"].get("biasprm").split()[2]), 1)
+
+    def test_what_is_named(self):
+        """Each of these changes how MuJoCo moves the robot, or what it measures."""
+        text = ROBOT.replace('armature=".02"', 'armature=".02" solreflimit=".1 1"').replace(
+            '<body name="arm"', '<body name="arm" gravcomp="1"').replace(
+            '<connect name="tie"', '<connect name="tie" solref=".1 1"').replace(
+            '<jointpos name="jp"', '<jointpos name="jp" noise=".1"').replace(
+            'kv="1" ctrl', 'kv="1" timeconst=".1" ctrl').replace('qpos=".1 .2 .3 .4"', 'qpos=".1 .2 .3 .4" ctrl=".5" qvel="1 0 0 0"')
+        with tempfile.TemporaryDirectory() as name:
+            path = pathlib.Path(name) / "robot.xml"
+            path.write_text(text, encoding="utf-8")
+            said = run("smurf-lint", path, "--format", "concise", "--all").stdout
+        for what in ("a joint loses `solreflimit`", "a body loses `gravcomp`", "an equality loses `solref`", "a sensor loses `noise`",
+                     "they are lost: `timeconst`", "so `qvel` and `ctrl` are lost"):
+            with self.subTest(what):
+                self.assertIn(what, said)
 
     def recorded(self, kind):
         sys.path.insert(0, str(SHARED))

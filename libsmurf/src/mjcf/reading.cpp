@@ -58,7 +58,12 @@ std::vector<double> numbers_of(const Attribute& attribute, std::size_t least, st
                                Reporter& reporter) {
   std::vector<double> numbers;
   for (const std::string_view word : words_in(attribute.value())) {
-    const auto number = number_in(word);
+    auto number = number_in(word);
+    // MuJoCo has single precision for colours.
+    const bool is_colour = attribute.name().find("rgb") != std::string_view::npos;
+    if (number && is_colour && std::isfinite(*number) &&
+        std::fabs(*number) > std::numeric_limits<float>::max())
+      number.reset();
     if (!number) {
       reporter.refuse(attribute.value_span(),
                       quoted(word) + " in " + quoted(attribute.name()) + " is not a number",

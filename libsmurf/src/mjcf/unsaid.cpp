@@ -108,7 +108,7 @@ void equalities(const Model& model, Reporter& reporter) {
         one.around.file->find_class(name != nullptr ? name->value() : "main");
     unsaid.add(Settings(one.element, of_class), {"solref", "solimp"});
   }
-  unsaid.report("SMURF holds joints and links together without giving way", "equality",
+  unsaid.report("SMURF holds joints and links together without giving way", "an equality",
                 "equalities", reporter);
 }
 
