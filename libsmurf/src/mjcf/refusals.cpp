@@ -113,6 +113,27 @@ class Refusals {
     });
   }
 
+  /// An asset that a shape or a site names; MuJoCo refuses `hfield` of other shapes, too.
+  void check_asset_of(const Settings& s, std::string_view kind) {
+    const Attribute* name = s.find(kind);
+    const bool needs_one = kind == "hfield" && s.text("type") == kind;
+    if (name == nullptr || name->value().empty()) {
+      if (needs_one)
+        reporter_.refuse(s.element().name_span(), "this shape needs an `hfield`",
+                         "write the name of an hfield of `<asset>`");
+      return;
+    }
+    bool is_known = false;
+    file_.each_in("asset", [&](View one) {
+      if (one.name() != kind) return;
+      is_known = is_known || texture_name(one) == name->value();
+    });
+    if (!is_known)
+      reporter_.refuse_name(name->value_span(),
+                            "there is no " + std::string(kind) + " " + quoted(name->value()),
+                            "add it to `<asset>`");
+  }
+
   void check_assets() {
     std::set<std::string_view> textures;
     const auto name_of = [](View one) {
@@ -201,7 +222,9 @@ void check_refusals(const Model& model, Reporter& reporter) {
       if (joint.file == &main) refusals.check_limits("joint", joint.settings);
     }
     for (const Geom& geom : body.geoms) {
-      if (geom.file == &main) refusals.check_condim(geom.settings);
+      if (geom.file != &main) continue;
+      refusals.check_condim(geom.settings);
+      refusals.check_asset_of(geom.settings, "hfield");
     }
   }
   for (const Site& site : model.sites) refusals.check_site(Settings(site.element, nullptr));
