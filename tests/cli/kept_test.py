@@ -67,7 +67,7 @@ URDF = """<robot name="rich">
 """
 ANNOTATIONS = """motors:
 - {name: shoulder_motor, joint: shoulder, type: PID, maxEffort: 5, maxSpeed: 3, p: 20, filterValue: 0.5}
-- {name: wrist_motor, joint: wrist, type: direct_torque, maxEffort: 5, maxSpeed: 3}
+- {name: wrist_motor, joint: wrist, type: PID, maxEffort: 5, maxSpeed: 3}
 sensors:
 - {name: imu, type: NodeIMU, link: arm, id: [arm], cutoff: 3}
 controllers:

@@ -36,12 +36,22 @@ ROWS = [  # the place, what is refused and why, what loads
      '<texture name="t" type="2d" builtin="flat" width="1" height="1"/>'),
     ("asset", '<material name="m" texture="t"/>', "there is no texture `t`", '<material name="m"/>'),
     ("asset", '<mesh name="m"/>', "has no triangles", '<mesh name="m" vertex="0 0 0 1 0 0 0 1 0 0 0 1"/>'),
+    ("asset", '<material name="m"/><material name="m"/>', "there is another material", '<material name="m"/><material name="n"/>'),
+    ("asset", '<mesh file="a/x.stl"/><mesh file="b/x.stl"/>', "there is another mesh", '<material name="m"/>'),
+    ("contact", '<exclude name="a" body1="b" body2="world"/><exclude name="a" body1="b" body2="world"/>', "there is another exclude",
+     '<exclude name="a" body1="b" body2="world"/>'),
+    ("option", 'gravity="0 0 1e999"', "is not a number", 'gravity="0 0 1e-999"'),
+    ("option", 'gravity="0 0 0x"', "is not a number", 'gravity="0 0 0x1"'),
     ("option", 'iterations="1.5"', "is not an integer", 'iterations="15"'),
     ("option", 'iterations="9999999999"', "is too large", 'iterations="+15"'),
     ("option", 'gravity="0 0"', "has 2 of 3 numbers", 'gravity="0 0 -0x1p3"'),
     ("compiler", 'autolimits="yes"', "no value of `autolimits`", 'autolimits="false"'),
+    ('geom name="g"', 'hfield="h"', "there is no hfield `h`", 'hfield=""'),
+    ('body name="b"', "><camera target=\"q\"/", "there is no body `q`", "><camera target=\"b\"/"),
+    ('geom name="g"', 'mass="1 2"', "more than 1 number", 'mass="nan"'),
     ('geom name="g"', 'condim="2"', "`condim` is 1, 3, 4 or 6", 'condim="6"'),
     ('site name="s"', 'size="0"', "a size of the site is not positive", 'size="1 0 0"'),
+    ('site name="s"', 'size="-1"', "a size of the site is not positive", 'size="nan"'),
 ]
 
 

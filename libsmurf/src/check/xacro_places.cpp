@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/findings/cases.hpp"
+#include "base/findings/readers.hpp"
 #include "base/findings/rules.hpp"
 #include "base/text/quoted.hpp"
 #include "imports/imports.hpp"
@@ -85,6 +86,20 @@ void move_to_xacro(const xacro::Expansion& expansion, Diagnostic& diagnostic) {
   if (!frames.empty()) diagnostic.call = frames.front()->call;
 }
 
+/// Whether the reader of a language is known to load files with the fault of a rule, which is about
+/// what programs make of a file.
+bool is_loaded(const Rule& rule, const Circumstance& language) {
+  if (rule.about != About::readers) return false;
+  const Reader& native = &language == &cases::kOfMjcf ? readers::mujoco : readers::gazebo;
+  bool loads = false;
+  for (const Fact& one : rule.facts) {
+    if (one.reader != &native) continue;
+    if (one.effect > Effect::loses) return false;
+    loads = true;
+  }
+  return loads;
+}
+
 /// Marks findings in a URDF that was made of another language. What programs make of a URDF does
 /// not matter to somebody who has none, unless a target asks for it.
 void mark_imports(const xacro::Expansions& expansions, std::vector<Diagnostic>& found) {
@@ -98,6 +113,8 @@ void mark_imports(const xacro::Expansions& expansions, std::vector<Diagnostic>& 
     for (Occurrence& other : one.others) other.cases.add(*kind->second);
     if (one.rule->about != About::robot && !is_taken_over(*one.rule, one.cases, *kind->second))
       one.severity = Severity::info;
+    if (one.severity == Severity::error && is_loaded(*one.rule, *kind->second))
+      one.severity = Severity::warning;
   }
 }
 

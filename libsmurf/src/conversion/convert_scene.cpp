@@ -24,6 +24,7 @@
 #include "link/imported_world.hpp"
 #include "smurf/conversion.hpp"
 #include "smurf/result_losses.hpp"
+#include "write/parts/body_inertia.hpp"
 
 namespace smurf {
 namespace {
@@ -164,6 +165,8 @@ void write(Session& session, LoadedScene& loaded, const SceneRequest& request,
     result.refusal = add_controllers(loaded, request, companions, motors);
     if (result.refusal) return;
   }
+  KeptMasses masses = replaced.masses();
+  for (const LinkedModel& model : loaded.scene.models) keep_meant_tensors(model, masses);
   const SceneExport written{.flat = *flat,
                             .scene = loaded.scene,
                             .sources = *loaded.sources,
@@ -174,7 +177,7 @@ void write(Session& session, LoadedScene& loaded, const SceneRequest& request,
                             .motors = std::move(motors),
                             .contacts = std::move(contacts),
                             .group_states = states_of(std::move(srdfs)),
-                            .kept_masses = &replaced.masses(),
+                            .kept_masses = &masses,
                             .names_copies = !request.assets.empty(),
                             .meshes = mesh_source(flattening, result.copies, files, limits),
                             .most_bytes = limits.scene_bytes};

@@ -16,6 +16,7 @@ NewValue value_of(std::string key, yaml::View view) {
     for (const yaml::View one : view) entries.push_back(value_of({}, one));
     return list_value(std::move(key), std::move(entries));
   }
+  if (const auto boolean = view.boolean()) return boolean_value(std::move(key), *boolean);
   const auto number = view.number();
   return number ? number_value(std::move(key), *number)
                 : text_value(std::move(key), std::string(view.text()));

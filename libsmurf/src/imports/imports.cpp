@@ -2,14 +2,17 @@
 #include "imports/imports.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <utility>
 
 #include "base/findings/limits.hpp"
 #include "base/findings/rules.hpp"
 #include "base/numbers/numbers.hpp"
+#include "base/ranges.hpp"
 #include "base/text/did_you_mean.hpp"
 #include "base/text/words.hpp"
+#include "syntax/xml_reader.hpp"
 
 namespace smurf::imports {
 
@@ -49,6 +52,23 @@ std::string_view first_name(std::string_view text) {
   text = text.substr(std::min(text.find('>'), text.size()));
   to_element(text);
   return name_at(text);
+}
+
+std::optional<xml::Document> parse_lenient_xml(SourceId source, Context& context) {
+  // MuJoCo 4.0 and libsdformat 12 were run on each of them.
+  constexpr std::array kRead = {
+      &rules::sml1003_xml_bare_ampersand,     &rules::sml1004_xml_comment_dashes,
+      &rules::sml1005_xml_junk_before_prolog, &rules::sml1006_xml_several_roots,
+      &rules::sml1013_dtd_or_xinclude,        &rules::sml1014_xml_missing_blank,
+      &rules::sml1017_xml_less_than_in_value};
+  DiagnosticSink found(context.limits);
+  auto document = parse_xml(context.sources, source, context.limits, found);
+  for (Diagnostic& one : found.take()) {
+    if (one.rule == &rules::sml1002_xml_undeclared_prefix) continue;
+    if (ranges::contains(kRead, one.rule)) one.severity = Severity::warning;
+    context.sink.report(*one.rule, one.span, {}) = std::move(one);
+  }
+  return document;
 }
 
 bool is_made(const xacro::Expansion& result, Span part) {

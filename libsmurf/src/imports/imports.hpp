@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -17,6 +18,7 @@
 #include "smurf/pose.hpp"
 #include "smurf/source.hpp"
 #include "smurf/xacro.hpp"
+#include "smurf/xml.hpp"
 
 namespace smurf::imports {
 
@@ -42,6 +44,11 @@ struct Imported {
 inline constexpr std::uint32_t kMade = 0xffffffffU;
 /// Whether a part of a result is such a leaf.
 bool is_made(const xacro::Expansion& result, Span part);
+
+/// Parses as TinyXML-2 does, which MuJoCo and libsdformat have: what only other readers of XML
+/// refuse, such as `--` in a comment, is a warning, and a prefix that nothing declares is no
+/// mistake. None, with an error, where TinyXML-2 refuses the text, too.
+std::optional<xml::Document> parse_lenient_xml(SourceId source, Context& context);
 
 /// The name of the root element of a text; "" if there is none. Reads the beginning only.
 std::string_view root_name(std::string_view text);

@@ -23,6 +23,9 @@ struct MassProperties {
   void scale(double factor);
 };
 
+/// 1 kg m^2 about each axis, which looks like a placeholder in a URDF, and is what a simulator has.
+inline constexpr Tensor kUnitTensor{1, 1, 1, 0, 0, 0};
+
 Tensor rotated(const Tensor& tensor, const Quaternion& rotation);
 
 /// Moments about the principal axes, the largest first, and their frame.

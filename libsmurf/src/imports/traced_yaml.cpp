@@ -34,4 +34,10 @@ void TracedYaml::line(std::string_view indent, std::string_view key, std::string
   part(std::string(indent).append(key).append(": ").append(text).append("\n"), place, is_made);
 }
 
+void keep_inertia(TracedYaml& yaml, std::string_view link, const Place& place) {
+  yaml.line("- ", "name", yaml_text(link), place);
+  yaml.line("  ", "link", yaml_text(link), place);
+  yaml.line("  ", "keep_inertia", "true", place);
+}
+
 }  // namespace smurf::imports

@@ -37,4 +37,7 @@ class TracedYaml {
   std::string text_;
 };
 
+/// An entry of the section `link` that keeps the tensor of a link, which looks like a placeholder.
+void keep_inertia(TracedYaml& yaml, std::string_view link, const Place& place);
+
 }  // namespace smurf::imports

@@ -2,10 +2,11 @@
 // What the compiler of MuJoCo changes in the tree at its end.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
-#include "base/numbers/vectors.hpp"
 #include "mjcf/model.hpp"
+#include "mjcf/moved_inertia.hpp"
 
 namespace smurf::mjcf {
 namespace {
@@ -122,6 +123,14 @@ void arrange(Model& model) {
   }
 }
 
+bool needs_world(const Model& model) {
+  if (!model.bodies.front().geoms.empty() || model.bodies.size() < 2) return true;
+  const auto tops = std::count_if(model.bodies.begin() + 1, model.bodies.end(),
+                                  [](const Body& one) { return one.parent == 0; });
+  const Body& first = model.bodies[1];
+  return tops != 1 || first.joints.size() != 1 || first.joints.front().type != Joint::Type::free;
+}
+
 bool touches(const Geom& geom) { return geom.contype != 0 || geom.conaffinity != 0; }
 
 bool has_one_mask(const Geom& geom) {
@@ -159,41 +168,14 @@ void name_all(Model& model) {
 }
 
 void tune_springs(Model& model, Reporter& reporter) {
-  std::vector<Pose> poses(model.bodies.size());
-  for (std::size_t i = 1; i < poses.size(); ++i)
-    poses[i] = poses[model.bodies[i].parent] * model.bodies[i].pose;
-  for (std::size_t i = 1; i < poses.size(); ++i) {
+  std::optional<MovedInertia> inertias;
+  for (std::size_t i = 1; i < model.bodies.size(); ++i) {
     for (Joint& joint : model.bodies[i].joints) {
       std::array<double, 2> wanted{};
       joint.settings.numbers("springdamper", wanted, 2, reporter);
       if (!(wanted[0] > 0) || !(wanted[1] > 0) || joint.type == Joint::Type::free) continue;
-      const Vector3 axis = rotate(poses[i].orientation, joint.axis);
-      const Vector3 anchor = rotate(poses[i].orientation, joint.position);
-      MassProperties moved;
-      std::vector<bool> is_below(poses.size());
-      is_below[i] = true;
-      for (std::size_t k = i; k < poses.size(); ++k) {
-        is_below[k] = is_below[k] || is_below[model.bodies[k].parent];
-        if (is_below[k] && model.bodies[k].mass) moved.add(model.bodies[k].mass->in(poses[k]));
-      }
-      const Vector3 away{moved.center[0] - poses[i].position[0] - anchor[0],
-                         moved.center[1] - poses[i].position[1] - anchor[1],
-                         moved.center[2] - poses[i].position[2] - anchor[2]};
-      const Tensor& t = moved.inertia;
-      const auto about = [&](const Vector3& a) {
-        const Vector3 c = cross(a, away);
-        return a[0] * (t[0] * a[0] + t[3] * a[1] + t[4] * a[2]) +
-               a[1] * (t[3] * a[0] + t[1] * a[1] + t[5] * a[2]) +
-               a[2] * (t[4] * a[0] + t[5] * a[1] + t[2] * a[2]) + moved.mass * dot(c, c);
-      };
-      double inertia = joint.armature;
-      if (joint.type == Joint::Type::slide) {
-        inertia += moved.mass;
-      } else if (joint.type == Joint::Type::ball) {
-        inertia += (about({1, 0, 0}) + about({0, 1, 0}) + about({0, 0, 1})) / 3;
-      } else {
-        inertia += about(axis);
-      }
+      if (!inertias) inertias.emplace(model);
+      const double inertia = inertias->locked(joint, i).value_or(joint.armature);
       constexpr double kLeast = 1e-15;
       joint.stiffness = inertia / std::max(kLeast, wanted[0] * wanted[0] * wanted[1] * wanted[1]);
       joint.damping = 2 * inertia / std::max(kLeast, wanted[0]);

@@ -133,7 +133,10 @@ class Builder {
         } else {
           model_.bodies[index].inertial = child;
         }
+      } else if (kind == "light") {
+        name_of(child, around, "light");
       } else if (kind == "frame") {
+        name_of(child, around, "frame");
         frame(child, index, X, around, depth);
       } else if (kind == "replicate") {
         replicate(child, index, X, around, depth);

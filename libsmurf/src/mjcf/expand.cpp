@@ -37,6 +37,7 @@ Imported expand(SourceId root, Context& context) {
     arrange(model);
     name_all(model);
     tune_springs(model, reporter);
+    add_actuators(model, reporter);
     JointFacts facts = facts_of_joints(model, reporter);
     robot.frames = std::move(model.frames);
     if (!reporter.lacks_file()) model.files.front().report_unused_classes();
@@ -47,6 +48,7 @@ Imported expand(SourceId root, Context& context) {
     std::string sections =
         reporter.lacks_file() ? std::string() : write_annotations(model, reporter, annotations);
     robot.is_complete = !reporter.has_refused();
+    if (!reporter.lacks_file()) report_unsaid(model, reporter);
     annotations.root = root;
     annotations.language = Language::mjcf;
     annotations.frames = robot.frames;

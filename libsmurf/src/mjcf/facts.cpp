@@ -178,15 +178,13 @@ class Facts {
     } else {
       moved = copies(*name, one.around);
     }
-    const ModelFile& file = *one.around.file;
-    const Attribute* class_name = one.element.attribute("class");
-    const Settings s(one.element,
-                     file.find_class(class_name != nullptr ? class_name->value() : "main"));
-    const auto effort = effort_of(s, reporter_);
-    if (!effort) return;
+    const Settings s = settings_of_actuator(one);
+    const auto range = effort_range_of(s, reporter_);
+    if (!range) return;
+    const double effort = std::max(std::fabs((*range)[0]), std::fabs((*range)[1]));
     for (const Joint* each : moved)
       facts_.efforts.emplace(each->name,
-                             std::pair{*effort, s.place({"forcerange", "ctrlrange", "gear"})});
+                             std::pair{effort, s.place({"forcerange", "ctrlrange", "gear"})});
   }
 
   const Model& model_;
@@ -196,49 +194,6 @@ class Facts {
 };
 
 }  // namespace
-
-std::optional<double> effort_of(const Settings& s, Reporter& reporter) {
-  std::array<double, 6> gear{1, 0, 0, 0, 0, 0};
-  s.numbers("gear", gear, 1, reporter);
-  std::array<double, 2> force{};
-  s.numbers("forcerange", force, 2, reporter);
-  std::array<double, 2> control{};
-  s.numbers("ctrlrange", control, 2, reporter);
-  const auto largest = [](const std::array<double, 2>& range) {
-    return std::max(std::fabs(range[0]), std::fabs(range[1]));
-  };
-  if (s.text("forcelimited") != "false" && force[0] < force[1])
-    return std::fabs(gear[0]) * largest(force);
-  const std::optional<Servo> servo = servo_of(s, reporter);
-  const bool is_motor = servo && servo->kind == "motor";
-  if (is_motor && s.text("ctrllimited") != "false" && control[0] < control[1])
-    return std::fabs(gear[0] * servo->gain) * largest(control);
-  return std::nullopt;
-}
-
-std::optional<Servo> servo_of(const Settings& s, Reporter& reporter) {
-  const std::string_view kind = s.element().name();
-  if (kind == "motor") return Servo{kind};
-  if (kind == "position" || kind == "intvelocity")
-    return Servo{kind, 1, s.number("kp", 1, reporter), s.number("kv", 0, reporter)};
-  if (kind == "velocity") return Servo{kind, 1, 0, s.number("kv", 1, reporter)};
-  const auto is_usual = [&](std::string_view name, std::string_view usual) {
-    const std::string_view text = s.text(name);
-    return text.empty() || text == usual;
-  };
-  const bool is_linear = is_usual("dyntype", "none") && is_usual("gaintype", "fixed");
-  if (kind != "general" || !is_linear || s.find("kp") != nullptr || s.find("kv") != nullptr)
-    return std::nullopt;
-  std::array<double, 10> gain{1};
-  std::array<double, 10> bias{};
-  s.numbers("gainprm", gain, 1, reporter);
-  s.numbers("biasprm", bias, 1, reporter);
-  if (is_usual("biastype", "none")) return Servo{"motor", gain[0]};
-  if (s.text("biastype") != "affine" || bias[0] != 0) return std::nullopt;
-  if (bias[1] == -gain[0]) return Servo{"position", 1, gain[0], 0 - bias[2]};
-  if (bias[1] == 0 && bias[2] == -gain[0]) return Servo{"velocity", 1, 0, gain[0]};
-  return std::nullopt;
-}
 
 JointFacts facts_of_joints(const Model& model, Reporter& reporter) {
   return Facts(model, reporter).run();

@@ -10,7 +10,6 @@
 #include "base/findings/rules.hpp"
 #include "base/text/lists.hpp"
 #include "base/text/quoted.hpp"
-#include "syntax/xml_reader.hpp"
 
 namespace smurf::mjcf {
 namespace {
@@ -40,7 +39,7 @@ ModelFile::ModelFile(SourceId root, Reporter& reporter)
 
 bool ModelFile::parse(SourceId source, View& root) {
   Context& context = reporter_.context();
-  auto document = parse_xml(context.sources, source, context.limits, context.sink);
+  auto document = imports::parse_lenient_xml(source, context);
   if (!document) return false;
   documents_.push_back(*std::move(document));
   root = documents_.back().view();

@@ -136,10 +136,17 @@ bool check_plane(const Settings& s, const Geom& geom, Reporter& reporter) {
   return false;
 }
 
+/// None where it is that of the density: not written, blank, or NaN, which MuJoCo has for that.
+std::optional<double> mass_of(const Settings& s, Reporter& reporter) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  const double mass = s.number("mass", kNone, reporter);
+  return std::isnan(mass) ? std::nullopt : std::optional(mass);
+}
+
 /// Written as no mass; then the volume does not matter.
 bool mass_is_zero(const Settings& s, Reporter& reporter) {
-  return s.has("mass") ? s.number("mass", 0, reporter) == 0
-                       : s.number("density", kDensity, reporter) == 0;
+  const std::optional<double> mass = mass_of(s, reporter);
+  return mass ? *mass == 0 : s.number("density", kDensity, reporter) == 0;
 }
 
 void read_colour(const Settings& s, Geom& geom, Reporter& reporter) {
@@ -179,8 +186,8 @@ std::optional<Geom> read_geom(View element, const Surroundings& around, Meshes& 
   const bool is_light = mass_is_zero(s, reporter);
   const bool counts = !is_world && around.weighs_geoms && !is_light && geom.group >= groups[0] &&
                       geom.group <= groups[1];
-  const Attribute* mass_attribute = s.find("mass");
-  const double mass = s.number("mass", 0, reporter);
+  const std::optional<double> written_mass = mass_of(s, reporter);
+  const double mass = written_mass.value_or(0);
   const double density = s.number("density", kDensity, reporter);
   if (mass < 0 || density < 0) {
     reporter.refuse(s.place({mass < 0 ? "mass" : "density"}).origin, "a negative mass",
@@ -219,11 +226,11 @@ std::optional<Geom> read_geom(View element, const Surroundings& around, Meshes& 
     return geom;
   }
   if (is_meshed) {
-    if (mass_attribute != nullptr && mass == 0) {
+    if (written_mass && mass == 0) {
       geom.mass = result;
     } else if (mesh->properties) {
       result = mesh->properties->in(geom.pose);
-      result.scale(mass_attribute != nullptr ? mass / mesh->properties->mass : density);
+      result.scale(written_mass ? mass / mesh->properties->mass : density);
       geom.mass = result;
     } else if (!mesh->settings.has("builtin") && mesh->is_refused) {
       reporter.refuse(mesh->settings.place({"file", "vertex"}).origin,
@@ -233,7 +240,7 @@ std::optional<Geom> read_geom(View element, const Surroundings& around, Meshes& 
     return geom;
   }
   const Extent extent = extent_of(geom.shape, geom.size, is_shell);
-  result.mass = mass_attribute != nullptr ? mass : density * extent.volume;
+  result.mass = written_mass ? mass : density * extent.volume;
   result.inertia = {result.mass * extent.moments[0],
                     result.mass * extent.moments[1],
                     result.mass * extent.moments[2],

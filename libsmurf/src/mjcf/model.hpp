@@ -150,6 +150,8 @@ void check_refusals(const Model& model, Reporter& reporter);
 /// Takes bodies without joints into their parents, and turns free bodies to their principal axes,
 /// where the compiler is asked to.
 void arrange(Model& model);
+/// Whether the robot has a link for the world: not if one body that floats is all there is.
+bool needs_world(const Model& model);
 /// Whether a shape touches any other.
 bool touches(const Geom& geom);
 /// Whether one mask of SMURF says which others it touches.

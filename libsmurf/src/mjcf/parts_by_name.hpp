@@ -2,6 +2,7 @@
 // Finds the parts of a model that sections outside of the tree name.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string_view>

@@ -43,8 +43,13 @@ std::optional<double> number_in(std::string_view word) {
   const std::string_view digits = is_hexadecimal ? std::string_view(lower).substr(2) : word;
   const auto result =
       is_hexadecimal ? read_hexadecimal(digits, value) : read_floating(digits, value);
-  if (result.ptr != digits.data() + digits.size()) return std::nullopt;
-  return sign * value;
+  const bool is_whole = result.ptr == digits.data() + digits.size();
+  if (!is_whole || result.ec == std::errc::invalid_argument) return std::nullopt;
+  if (result.ec != std::errc::result_out_of_range) return sign * value;
+  // "1e-999" is 0, and "1e999" is refused.
+  const std::size_t exponent = lower.find(is_hexadecimal ? 'p' : 'e');
+  const bool is_tiny = exponent != std::string::npos && lower.substr(exponent + 1).starts_with('-');
+  return is_tiny ? std::optional(0.0) : std::nullopt;
 }
 
 }  // namespace
@@ -53,7 +58,12 @@ std::vector<double> numbers_of(const Attribute& attribute, std::size_t least, st
                                Reporter& reporter) {
   std::vector<double> numbers;
   for (const std::string_view word : words_in(attribute.value())) {
-    const auto number = number_in(word);
+    auto number = number_in(word);
+    // MuJoCo has single precision for colours.
+    const bool is_colour = attribute.name().find("rgb") != std::string_view::npos;
+    if (number && is_colour && std::isfinite(*number) &&
+        std::fabs(*number) > std::numeric_limits<float>::max())
+      number.reset();
     if (!number) {
       reporter.refuse(attribute.value_span(),
                       quoted(word) + " in " + quoted(attribute.name()) + " is not a number",

@@ -69,6 +69,13 @@ class Checker {
  public:
   Checker(const Model& model, Reporter& reporter) : names_(model), reporter_(reporter) {}
 
+  void check_target(const Camera& camera, const ModelFile& file) {
+    const Attribute* target = camera.settings.find("target");
+    Surroundings around;
+    around.file = &file;
+    if (target != nullptr && !target->value().empty()) check(*target, "body", around);
+  }
+
   void check(View element, const Surroundings& around) {
     for (const Attribute& one : element.attributes()) {
       const auto row =
@@ -119,6 +126,7 @@ void check_references(const Model& model, Reporter& reporter) {
         std::find(std::begin(kSections), std::end(kSections), section) != std::end(kSections);
     if (is_checked) checker.check(one.element, one.around);
   }
+  for (const Camera& one : model.cameras) checker.check_target(one, model.files.front());
 }
 
 }  // namespace smurf::mjcf

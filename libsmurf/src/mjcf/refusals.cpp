@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "base/text/quoted.hpp"
@@ -84,10 +86,52 @@ class Refusals {
     s.numbers("size", size, 1, reporter_);
     const bool is_positive =
         std::all_of(size.begin(), size.begin() + static_cast<std::ptrdiff_t>(needed),
-                    [](double one) { return one > 0; });
+                    [](double one) { return !(one <= 0); });  // NaN is allowed
     if (!is_positive)
       reporter_.refuse(written->value_span(), "a size of the site is not positive",
                        "write half of each length");
+  }
+
+  /// Names that are twice in a section, among elements of one kind.
+  void check_names(std::string_view section) {
+    std::map<std::pair<std::string_view, std::string_view>, Span> known;
+    file_.each_in(section, [&](View one) {
+      const bool is_file = section == "asset" && one.name() != "material";
+      const Attribute* written = one.attribute("name");
+      const std::string_view name = is_file              ? texture_name(one)
+                                    : written != nullptr ? std::string_view(written->value())
+                                                         : std::string_view();
+      if (name.empty()) return;
+      const Span place = written != nullptr ? written->value_span() : one.name_span();
+      const auto [first, is_new] = known.emplace(std::pair{one.name(), name}, place);
+      if (is_new) return;
+      reporter_
+          .refuse(place,
+                  "there is another " + std::string(one.name()) + " with the name " + quoted(name),
+                  "rename one of the two")
+          .label(first->second, "the other one");
+    });
+  }
+
+  /// An asset that a shape or a site names; MuJoCo refuses `hfield` of other shapes, too.
+  void check_asset_of(const Settings& s, std::string_view kind) {
+    const Attribute* name = s.find(kind);
+    const bool needs_one = kind == "hfield" && s.text("type") == kind;
+    if (name == nullptr || name->value().empty()) {
+      if (needs_one)
+        reporter_.refuse(s.element().name_span(), "this shape needs an `hfield`",
+                         "write the name of an hfield of `<asset>`");
+      return;
+    }
+    bool is_known = false;
+    file_.each_in("asset", [&](View one) {
+      if (one.name() != kind) return;
+      is_known = is_known || texture_name(one) == name->value();
+    });
+    if (!is_known)
+      reporter_.refuse_name(name->value_span(),
+                            "there is no " + std::string(kind) + " " + quoted(name->value()),
+                            "add it to `<asset>`");
   }
 
   void check_assets() {
@@ -166,6 +210,8 @@ void check_refusals(const Model& model, Reporter& reporter) {
   const ModelFile& main = model.files.front();
   Refusals refusals(main, reporter);
   refusals.check_assets();
+  for (const std::string_view section : {"asset", "custom", "contact"})
+    refusals.check_names(section);
   for (const Reference& one : model.sections) {
     if (one.around.file != &main || !one.around.prefix.empty()) continue;
     const Settings settings(one.element, main.class_of(one.element, nullptr));
@@ -176,7 +222,9 @@ void check_refusals(const Model& model, Reporter& reporter) {
       if (joint.file == &main) refusals.check_limits("joint", joint.settings);
     }
     for (const Geom& geom : body.geoms) {
-      if (geom.file == &main) refusals.check_condim(geom.settings);
+      if (geom.file != &main) continue;
+      refusals.check_condim(geom.settings);
+      refusals.check_asset_of(geom.settings, "hfield");
     }
   }
   for (const Site& site : model.sites) refusals.check_site(Settings(site.element, nullptr));

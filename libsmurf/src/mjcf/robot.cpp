@@ -42,7 +42,7 @@ class RobotWriter {
     xml_.attribute("name", model_.name, of_name);
     ShapeWriter shapes(model_, reporter_, expansion_, xml_);
     shapes.write_materials();
-    const bool has_world = needs_world();
+    const bool has_world = needs_world(model_);
     for (std::size_t i = has_world ? 0 : 1; i < model_.bodies.size(); ++i) {
       const Body& body = model_.bodies[i];
       if (i > 0) joints_to(body, has_world);
@@ -56,16 +56,6 @@ class RobotWriter {
  private:
   static Place place_of(View element, xacro::FrameId frame = xacro::kNoFrame) {
     return {element.name_span(), element.tag_span(), frame};
-  }
-
-  /// One body that floats, and nothing else, is the root itself.
-  bool needs_world() const {
-    const Body& world = model_.bodies.front();
-    if (!world.geoms.empty() || model_.bodies.size() < 2) return true;
-    const auto tops = std::count_if(model_.bodies.begin() + 1, model_.bodies.end(),
-                                    [](const Body& one) { return one.parent == 0; });
-    const Body& first = model_.bodies[1];
-    return tops != 1 || first.joints.size() != 1 || first.joints.front().type != Joint::Type::free;
   }
 
   Place name_place(const Body& body) const {

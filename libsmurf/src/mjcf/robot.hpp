@@ -2,6 +2,7 @@
 // The results of a model: a URDF and annotations.
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -46,12 +47,27 @@ struct Servo {
   std::string_view kind;  ///< "motor", "position", "velocity" or "intvelocity"
   double gain = 1;        ///< of a motor: force by command
   double kp = 0, kv = 0;  ///< before the gear
+  double ratio =
+      0;  ///< above 0: the damping in place of `kv`, 1 where the joint just does not swing
 };
+/// The attributes of an actuator, with those of its class.
+Settings settings_of_actuator(const Reference& one);
+/// The first number of `gear`, which joints with one axis have; 1 where it cannot be used.
+double gear_of(const Settings& settings, Reporter& reporter);
+/// Gives joints the armature and the damping of their actuators, which MuJoCo adds to theirs.
+void add_actuators(Model& model, Reporter& reporter);
 /// None for other actuators, such as muscles. A `general` one may be one of them.
 std::optional<Servo> servo_of(const Settings& s, Reporter& reporter);
-/// The largest torque or force of an actuator: the range of the force, or of the control of a
-/// motor, times the gear.
-std::optional<double> effort_of(const Settings& settings, Reporter& reporter);
+/// The lowest and the largest torque or force of an actuator at its joint, N m or N: the range of
+/// the force and, of a motor, that of the control, times the gear.
+std::optional<std::array<double, 2>> effort_range_of(const Settings& settings, Reporter& reporter);
+
+/// Of MuJoCo: sliding, torsional and rolling.
+inline constexpr std::array<double, 3> kUsualFriction{1, 0.005, 0.0001};
+std::array<double, 3> friction_of(const Geom& geom, Reporter& reporter);
+/// Reports what MuJoCo simulates, and neither a URDF nor SMURF says: how contacts, limits and
+/// friction give way, bodies that are held against gravity or moved by a program, and so on.
+void report_unsaid(const Model& model, Reporter& reporter);
 
 /// "" if there are neither motors nor poses.
 std::string write_annotations(const Model& model, Reporter& reporter, xacro::Expansion& expansion);

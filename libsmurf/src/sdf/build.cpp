@@ -39,12 +39,16 @@ class Builder {
     open_.insert(file->path);
     std::vector<View> models, worlds;
     for (const View one : file->root) {
-      if (one.name() == "model") models.push_back(one);
+      if (one.name() == "model" || one.name() == "include") models.push_back(one);
       if (one.name() == "world") worlds.push_back(one);
     }
     if (models.size() > 1) {
       reporter_.refuse(models[1].name_span(), "a file has one model, or one world with several",
                        "put the models into a `<world>`");
+    }
+    if (!models.empty() && models.front().name() == "include") {
+      include(models.front(), *file, nullptr);
+      return static_cast<bool>(model_.element);
     }
     if (!models.empty()) {
       model_.element = models.front();
@@ -64,8 +68,12 @@ class Builder {
       return true;
     }
     if (worlds.empty()) {
-      reporter_.refuse(file->root.name_span(), "the file has neither a model nor a world",
-                       "name a file with a `<model>`");
+      // libsdformat reads it; but nothing can be made of it.
+      Diagnostic& found =
+          reporter_.report(rules::sml9314_ignored_by_sdformat, file->root.name_span(),
+                           "the file has neither a model nor a world");
+      found.severity = Severity::error;
+      found.help("name a file with a `<model>`");
       return false;
     }
     model_.element = worlds.front();
@@ -178,7 +186,7 @@ class Builder {
     for (const View one : element) {
       if (is_full_) return;
       if (one.name() == "model") add_model(one, *scope.file, &scope, {});
-      if (one.name() == "include") include(one, scope);
+      if (one.name() == "include") include(one, *scope.file, &scope);
       if (one.name() == "light" && scope.is_world) {
         refuse_reserved(one);
         model_.lights.push_back({one, {}, &scope});
@@ -355,8 +363,10 @@ class Builder {
     return xacro::FrameId{static_cast<std::uint32_t>(model_.frames.size() - 1)};
   }
 
-  void include(View element, Scope& scope) {
-    if (!has_room(element, &scope)) return;
+  /// `around`: null for that of a file, which is its model.
+  void include(View element, const SdfFile& including, Scope* around) {
+    if (!has_room(element, around)) return;
+    const bool is_in_world = around != nullptr && around->is_world;
     const View address = element.child("uri");
     const std::string uri(text_of(address));
     if (uri.empty()) {
@@ -365,7 +375,7 @@ class Builder {
       return;
     }
     const Span place = address.text_span();
-    const auto path = files_.find_model(uri, *scope.file, place);
+    const auto path = files_.find_model(uri, including, place);
     if (!path) return;
     if (open_.contains(*path)) {
       reporter_.refuse(place, quoted(uri) + " includes itself",
@@ -384,7 +394,7 @@ class Builder {
     const View model = file->root.child("model");
     if (!model) {
       const View light = file->root.child("light");
-      if (light && scope.is_world) model_.lights.push_back({light, element, &scope});
+      if (light && is_in_world) model_.lights.push_back({light, element, around});
       if (!light && !file->root.child("actor"))
         reporter_.refuse(place, quoted(uri) + " has no model", "name a file with a `<model>`");
       return;
@@ -412,13 +422,17 @@ class Builder {
             .help("change a copy of the model");
       }
     }
-    if (overrides.is_merged && scope.is_world) {
+    if (overrides.is_merged && is_in_world) {
       reporter_.refuse(element.name_span(), "a world cannot merge a model",
                        "delete `merge=\"true\"`");
       return;
     }
+    if (around == nullptr) {
+      model_.element = model;
+      model_.name = overrides.name.empty() ? attribute_of(model, "name") : overrides.name;
+    }
     open_.insert(*path);
-    add_model(model, *file, &scope, overrides);
+    add_model(model, *file, around, overrides);
     open_.erase(*path);
   }
 

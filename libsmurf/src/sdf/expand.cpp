@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // From a file to its result.
+#include <string>
 #include <utility>
 
 #include "base/findings/rules.hpp"
+#include "imports/traced_yaml.hpp"
 #include "sdf/model.hpp"
 #include "sdf/world.hpp"
 
@@ -18,6 +20,18 @@ void keep_files(Files& files, const SourceMap& sources, xacro::Expansion& result
     result.included.insert(sources.path(document.source));
     result.documents.push_back(std::move(document));
   }
+}
+
+/// What a URDF cannot say.
+std::string annotations_of(const Model& model, xacro::Expansion& expansion) {
+  imports::TracedYaml yaml(expansion);
+  for (const Link& link : model.links) {
+    if (!link.mass || !(link.mass->mass > 0) || link.mass->inertia != imports::kUnitTensor)
+      continue;
+    if (yaml.size() == 0) yaml.plain("link:\n");
+    imports::keep_inertia(yaml, link.name, link.of_inertia);
+  }
+  return yaml.take();
 }
 
 }  // namespace
@@ -43,7 +57,16 @@ Imported expand(SourceId root, Context& context) {
     robot.frames = std::move(model.frames);
     std::string text = write_robot(model, files, reporter, robot);
     robot.is_complete = !reporter.has_refused();
-    robot.source = context.sources.add(context.sources.path(root), std::move(text));
+    xacro::Expansion& annotations = result.annotations;
+    std::string sections = annotations_of(model, annotations);
+    annotations.root = root;
+    annotations.language = Language::sdf;
+    annotations.frames = robot.frames;
+    annotations.is_complete = robot.is_complete && !sections.empty();
+    const std::string& path = context.sources.path(root);
+    if (annotations.is_complete)
+      annotations.source = context.sources.add(path, std::move(sections));
+    robot.source = context.sources.add(path, std::move(text));
   }
   keep_files(files, context.sources, robot);
   return result;

@@ -11,26 +11,12 @@
 #include "base/text/words.hpp"
 #include "imports/imports.hpp"
 #include "sdf/checks.hpp"
-#include "syntax/xml_reader.hpp"
 
 namespace smurf::sdformat {
 
 namespace {
 
 constexpr int kNewest = 12;
-
-/// libsdformat reads prefixes that nothing declares, so they are no mistake here.
-std::optional<xml::Document> parse_sdf(SourceId source, Context& context) {
-  DiagnosticSink found(context.limits);
-  auto document = parse_xml(context.sources, source, context.limits, found);
-  for (Diagnostic& one : found.take()) {
-    if (one.rule == &rules::sml1002_xml_undeclared_prefix) continue;
-    // TinyXML-2, which libsdformat has, reads them; `xmllint` and others do not.
-    if (one.rule == &rules::sml1004_xml_comment_dashes) one.severity = Severity::warning;
-    context.sink.report(*one.rule, one.span, {}) = std::move(one);
-  }
-  return document;
-}
 
 /// Source: libsdformat 12 and 14, parser.cc readFileInternal and parser_urdf.cc IsURDF; 12 was run.
 bool is_urdf(std::string_view text) { return imports::root_name(text) == "robot"; }
@@ -82,7 +68,7 @@ const SdfFile* Files::open(const std::string& path, Span place) {
 
 const SdfFile* Files::parse(SourceId source, const std::string& path) {
   Context& context = reporter_.context();
-  auto document = parse_sdf(source, context);
+  auto document = imports::parse_lenient_xml(source, context);
   if (!document) return nullptr;
   documents_.push_back(*std::move(document));
   SdfFile file{documents_.back().view(), path, std::string(path::parent(path))};

@@ -43,6 +43,13 @@ constexpr KeySpec kMoreKeys[] = {
      .type = text,
      .doc = "On the root link, `world` fixes the model to the world unless the scene sets an "
             "anchor (Phobos)."},
+    {.name = "keep_inertia",
+     .type = boolean,
+     .doc =
+         "The inertia of 1 kg m^2 is meant: smurfs-flatten does not take it for a placeholder, in "
+         "whose place it computes that of the shapes. Links of SDF have it where none is written.",
+     .fallback = "false",
+     .read_by = "nobody"},
     {.name = "kccd_hull",
      .type = any,
      .doc = "Hull for collision detection by KCCD (Phobos 2).",

@@ -136,6 +136,13 @@ constexpr KeySpec kMoreKeys[] = {
      .doc = "Read by MARS and never applied.",
      .unit = "rad or m",
      .read_by = "nobody"},
+    {.name = "minEffort",
+     .type = number,
+     .doc = "Lowest torque or force of a motor that pushes further in one direction than in the "
+            "other, whose largest one is maxEffort; without it, -maxEffort. smurfs-flatten writes "
+            "it into MJCF.",
+     .unit = "N m or N",
+     .read_by = "nobody"},
     {.name = "kp",
      .type = number,
      .doc = "Stiffness of a motor of positions in a simulator that has it: its force for each "

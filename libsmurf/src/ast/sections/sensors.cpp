@@ -125,12 +125,32 @@ constexpr KeySpec kCameraKeys[] = {
     {.name = "distortion_factor", .type = number, .doc = "Distortion of the lens."},
     {.name = "position_offset",
      .type = vector3,
-     .doc = "Position in the frame of the link.",
+     .doc =
+         "Position in the frame of the link. MARS reads it of cameras; smurfs-flatten also writes "
+         "it of NodePosition and NodeVelocity into MJCF.",
      .unit = "m",
      .fallback = R"({"x": 0, "y": 0, "z": 0})"},
     {.name = "orientation_offset",
      .type = orientation,
-     .doc = "Orientation in the frame of the link: a quaternion, or roll, pitch, yaw in degrees."},
+     .doc = "Orientation in the frame of the link: a quaternion, or roll, pitch, yaw in degrees. "
+            "MARS reads it of cameras; smurfs-flatten also writes it of NodeRotation into MJCF."},
+    {.name = "reference",
+     .type = text,
+     .doc =
+         "NodePosition, NodeRotation, NodeVelocity, NodeAngularVelocity: link in whose frame the "
+         "other one is measured; without it, in the world. smurfs-flatten writes it into MJCF.",
+     .read_by = "nobody",
+     .names = {NameKind::link}},
+    {.name = "reference_position",
+     .type = vector3,
+     .doc = "Position of that frame in the frame of the link `reference`.",
+     .unit = "m",
+     .fallback = R"({"x": 0, "y": 0, "z": 0})",
+     .read_by = "nobody"},
+    {.name = "reference_orientation",
+     .type = orientation,
+     .doc = "Orientation of that frame: a quaternion, or roll, pitch, yaw in degrees.",
+     .read_by = "nobody"},
 };
 
 constexpr KeySpec kRayKeys[] = {

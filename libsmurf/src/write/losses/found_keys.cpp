@@ -58,6 +58,15 @@ Found visual_settings(const LinkedModel& model, SceneColumn column) {
   return found;
 }
 
+Found link_settings(const LinkedModel& model, SceneColumn) {
+  Found found;
+  for (const LinkAnnotation& entry : model.annotations.links) {
+    if (!other_keys(model, entry, {"name", "link", "keep_inertia"}).empty())
+      found.push_back({entry.span, entry.name.value_or({})});
+  }
+  return found;
+}
+
 Found collision_settings(const LinkedModel& model, SceneColumn column) {
   Found found;
   for (const CollisionAnnotation& entry : model.annotations.collisions) {

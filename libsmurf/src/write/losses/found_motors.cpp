@@ -18,6 +18,10 @@ bool has_drives(SceneColumn column) {
   return column == SceneColumn::mjcf || column == SceneColumn::usda;
 }
 
+FollowerDrives followers_in(SceneColumn column) {
+  return column == SceneColumn::mjcf ? FollowerDrives::as_written : FollowerDrives::none;
+}
+
 /// Whether an actuator or drive has what this part of a transmission or ros2_control states. Its
 /// own parts are considered separately. Drives of USD have no limits of positions.
 bool is_said_by_drive(xml::View part, const std::set<xml::ElementId>& commands,
@@ -53,7 +57,7 @@ Found drivers(const LinkedModel& model, SceneColumn column, const MotorOptions& 
   std::set<xml::ElementId> written;
   std::set<xml::ElementId> commands;
   if (has_drives(column)) {
-    for (const JointDrive& drive : joint_drives(model, options)) {
+    for (const JointDrive& drive : joint_drives(model, options, followers_in(column))) {
       written.insert(drive.element);
       commands.insert(drive.command);
     }
@@ -76,7 +80,8 @@ Found drivers(const LinkedModel& model, SceneColumn column, const MotorOptions& 
 Found efforts(const LinkedModel& model, SceneColumn column, const MotorOptions& options) {
   std::set<const urdf::Joint*> driven;
   if (column == SceneColumn::mjcf) {
-    for (const JointDrive& drive : joint_drives(model, options)) driven.insert(drive.joint);
+    for (const JointDrive& drive : joint_drives(model, options, followers_in(column)))
+      driven.insert(drive.joint);
   }
   Found found;
   if (!model.robot) return found;
@@ -87,10 +92,11 @@ Found efforts(const LinkedModel& model, SceneColumn column, const MotorOptions& 
   return found;
 }
 
-Found chosen_gains(const LinkedModel& model, SceneColumn, const MotorOptions& options) {
+Found chosen_gains(const LinkedModel& model, SceneColumn column, const MotorOptions& options) {
   Found found;
   for (const JointDrive& drive : joint_drives(model, options)) {
     if (drive.kind == DriveKind::effort) continue;
+    if (column == SceneColumn::mjcf && drive.has_own_gains) continue;
     if (drive.has_gains_of_controller && drive.kv) continue;
     found.push_back({drive.motor != nullptr ? drive.motor->span : drive.joint->span,
                      shortened(drive.name, kMostOfDriver)});
@@ -123,7 +129,7 @@ Found motors(const LinkedModel& model, SceneColumn column, const MotorOptions&) 
   const bool has_controllers = column == SceneColumn::sdf && !has_own_controllers(model);
   if (!has_drives(column) && !has_controllers) return entries<&Annotations::motors>(model, column);
   Found found;
-  for (const Motor* motor : idle_motors(model)) {
+  for (const Motor* motor : idle_motors(model, followers_in(column))) {
     found.push_back({motor->span, motor->name.value_or({})});
   }
   return found;
@@ -139,7 +145,8 @@ Found motor_keys(const LinkedModel& model, SceneColumn column) {
     std::erase(said, "maxEffort");
   }
   if (column == SceneColumn::mjcf) {
-    said.insert(said.end(), {"minValue", "maxValue", "minPosition", "maxPosition", "kp", "kv"});
+    said.insert(said.end(), {"minValue", "maxValue", "minPosition", "maxPosition", "minEffort",
+                             "kp", "kv", "armature"});
   }
   Found found;
   for (const Motor& motor : model.annotations.motors) {

@@ -58,6 +58,8 @@ Found entries(const LinkedModel& model, SceneColumn) {
   }
   return found;
 }
+/// Only entries that say more than that a tensor is meant.
+Found link_settings(const LinkedModel& model, SceneColumn);
 /// MJCF, USD and SDF: only motors that move no joint.
 Found motors(const LinkedModel& model, SceneColumn column, const MotorOptions& options);
 /// Keys that actuators of MuJoCo, or drives of USD, do not have.

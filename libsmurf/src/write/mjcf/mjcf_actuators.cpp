@@ -23,6 +23,10 @@ bool has_mass(const LinkedModel& model, std::size_t link, bool is_free) {
 
 std::string around_zero(double most) { return join_numbers({-most, most}); }
 
+std::string efforts_of(const JointDrive& drive) {
+  return join_numbers({drive.least_effort.value_or(-*drive.effort), *drive.effort});
+}
+
 }  // namespace
 
 const std::vector<MjcfActuators::Motor>& MjcfActuators::motors_of(std::size_t i) {
@@ -30,7 +34,8 @@ const std::vector<MjcfActuators::Motor>& MjcfActuators::motors_of(std::size_t i)
   const bool is_free = flat(i).anchor.kind == Attachment::Kind::none;
   const auto [known, is_new] = motors_.try_emplace({&model, flat(i).joint_pose, is_free});
   if (!is_new) return known->second;
-  const std::vector<JointDrive> drives = joint_drives(model, scene_.motors);
+  const std::vector<JointDrive> drives =
+      joint_drives(model, scene_.motors, FollowerDrives::as_written);
   if (drives.empty()) return known->second;
   std::vector<std::optional<LinkInertial>> masses(model.robot->links.size());
   for (std::size_t link = 0; link < masses.size(); ++link) {
@@ -96,7 +101,7 @@ void MjcfActuators::add_actuator(std::size_t i, const Motor& motor) {
   double command = 0;
   const urdf::Joint* placed = nullptr;
   if (drive.kind == DriveKind::effort) {
-    if (drive.effort) limit("ctrllimited", "ctrlrange", around_zero(*drive.effort));
+    if (drive.effort) limit("ctrllimited", "ctrlrange", efforts_of(drive));
     xml_.empty("motor", actuator);
   } else {
     const bool is_position = drive.kind == DriveKind::position;
@@ -112,7 +117,7 @@ void MjcfActuators::add_actuator(std::size_t i, const Motor& motor) {
     } else if (drive.speed) {
       limit("ctrllimited", "ctrlrange", around_zero(*drive.speed));
     }
-    if (drive.effort) limit("forcelimited", "forcerange", around_zero(*drive.effort));
+    if (drive.effort) limit("forcelimited", "forcerange", efforts_of(drive));
     xml_.empty("general", actuator);
   }
   keys_.add_command(i, placed, command);

@@ -17,7 +17,7 @@ RepeatedParts mjcf_repeated_parts(const LinkedModel& model) {
       parts.names += 2;
     }
   }
-  for (const JointDrive& drive : joint_drives(model)) {
+  for (const JointDrive& drive : joint_drives(model, {}, FollowerDrives::as_written)) {
     parts.bytes += kElement + drive.name.size();
     parts.names += 2;
   }
@@ -83,6 +83,10 @@ void MjcfSensors::add_reading(std::size_t i, const MujocoSensor& sensor,
   }
   attributes.emplace_back(reading.object,
                           name(i, reading.name.empty() ? sensor.name : reading.name));
+  if (!reading.reference.empty()) {
+    attributes.emplace_back("reftype", "site");
+    attributes.emplace_back("refname", name(i, reading.reference));
+  }
   if (reading.cutoff > 0) attributes.emplace_back("cutoff", format_number(reading.cutoff));
   xml_.empty(reading.element, attributes);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "write/mjcf/mujoco_sensors.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -40,7 +41,7 @@ class SensorReader {
  public:
   SensorReader(const LinkedModel& model, const MotorOptions& options)
       : model_(model), X_RL_(forward_kinematics(model, {})), boxes_(model) {
-    for (const JointDrive& drive : joint_drives(model, options))
+    for (const JointDrive& drive : joint_drives(model, options, FollowerDrives::as_written))
       motors_.emplace(drive.joint, drive.name);
   }
 
@@ -265,13 +266,32 @@ class SensorReader {
     return add_readings(sensor, std::move(readings));
   }
 
+  /// A frame beside that of a link is that of a site, and so is that in which it is measured.
   bool is_frame_taken(const Sensor& sensor, std::string_view element) {
-    std::vector<MujocoReading> readings;
-    for (const std::string& name : targets({&sensor.id, &sensor.links})) {
-      if (!link(name)) return false;
-      readings.push_back({element, "objname", name, "/" + name});
+    const yaml::Document* document = model_.document(sensor.span.source);
+    const std::vector<std::string> names = targets({&sensor.id, &sensor.links});
+    const auto is_gone = [&](const std::string& name) { return !link(name); };
+    if (document == nullptr || std::any_of(names.begin(), names.end(), is_gone)) return false;
+    const yaml::View entry(*document, sensor.node);
+    const SensorKeys keys(entry);
+    const Pose X_LF{keys.vector("position_offset"), keys.rotation("orientation_offset")};
+    const yaml::View reference = entry.find("reference");
+    if (!reference && X_LF == Pose{}) {
+      std::vector<MujocoReading> readings;
+      for (const std::string& name : names)
+        readings.push_back({element, "objname", name, "/" + name});
+      return add_readings(sensor, std::move(readings));
     }
-    return add_readings(sensor, std::move(readings));
+    if (names.empty() || !can_afford(names.size() + 1, *sensor.name)) return false;
+    MujocoReading reading{element, "objname", {}};
+    if (reference) {
+      const Pose X_LR{keys.vector("reference_position"), keys.rotation("reference_orientation")};
+      if (!add(*sensor.name + "/reference", link(reference.text()), X_LR, {})) return false;
+      reading.reference = sensors_.back().name;
+    }
+    for (const std::string& name : names)
+      add(*sensor.name + "/" + name, link(name), X_LF, {reading});
+    return true;
   }
 
   const LinkedModel& model_;
@@ -324,6 +344,10 @@ bool is_said_by_mujoco(const Sensor& sensor, std::string_view key) {
                            "verticalOpeningAngle", "maxDistance"});
   }
   if (type == "NodeContact" || type == "NodeContactForce") return key == "collisions";
+  if (is_one_of(type, {"NodePosition", "NodeVelocity", "NodeRotation", "NodeAngularVelocity"})) {
+    return is_one_of(key, {"position_offset", "orientation_offset", "reference",
+                           "reference_position", "reference_orientation"});
+  }
   return type == "CameraSensor" &&
          is_one_of(key, {"opening_width", "opening_height", "opening_angle", "opening_angle2",
                          "position_offset", "orientation_offset"});

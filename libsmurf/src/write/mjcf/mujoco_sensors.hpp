@@ -20,6 +20,7 @@ struct MujocoReading {
   std::string name;       ///< measured joint, motor or link; "": the site of the sensor
   std::string part = {};  ///< suffix of the sensor's name: "/angular_velocity"
   double cutoff = 0;      ///< 0: none
+  std::string reference = {};  ///< site in whose frame is measured; "": the world
 };
 
 struct MujocoSensor {

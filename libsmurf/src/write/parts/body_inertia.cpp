@@ -95,6 +95,26 @@ ChosenMass link_mass(const LinkedModel& model, const urdf::Link& link) {
   return is_known ? ChosenMass{of_shapes, kUselessInertias} : ChosenMass{*body, {}};
 }
 
+void keep_meant_tensors(const LinkedModel& model, KeptMasses& masses) {
+  if (!model.robot) return;
+  const auto keep = [&](const urdf::Link& link) {
+    const auto body = inertial_of(link);
+    if (body && is_unit_tensor(*link.inertial))
+      masses.insert_or_assign(&link, ChosenMass{*body, {}});
+  };
+  if (model.language == Language::sdf || model.language == Language::mjcf) {
+    for (const urdf::Link& link : model.robot->links) keep(link);
+  }
+  for (const LinkAnnotation& one : model.annotations.links) {
+    const auto& name = one.link ? one.link : one.name;
+    const yaml::Document* document = model.document(one.span.source);
+    if (!name || document == nullptr) continue;
+    const yaml::View key = yaml::View(*document, one.node).find("keep_inertia");
+    const auto link = model.link_names.find(*name);
+    if (link && key && key.boolean().value_or(false)) keep(model.robot->links[*link]);
+  }
+}
+
 ChosenMass link_mass(const SceneExport& scene, const LinkedModel& model, const urdf::Link& link) {
   if (scene.kept_masses != nullptr) {
     const auto kept = scene.kept_masses->find(&link);

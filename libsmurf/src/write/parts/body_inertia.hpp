@@ -29,8 +29,11 @@ struct ChosenMass {
 };
 /// That of the link; where it has none, or one with which nothing can move, that of its shapes.
 ChosenMass link_mass(const LinkedModel& model, const urdf::Link& link);
-/// The same for a link whose shapes may have been replaced.
+/// The same; those that the scene keeps are as they were.
 ChosenMass link_mass(const SceneExport& scene, const LinkedModel& model, const urdf::Link& link);
+/// Adds the links of a model whose tensor of 1 kg m^2 is meant: those of a language of simulators,
+/// and those whose annotation keeps it.
+void keep_meant_tensors(const LinkedModel& model, KeptMasses& masses);
 
 /// R I R^T: the tensor in the axes of the link; xx, yy, zz, xy, xz, yz.
 std::array<double, 6> tensor_in_link(const LinkInertial& mass);

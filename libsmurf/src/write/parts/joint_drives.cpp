@@ -31,19 +31,29 @@ DriveKind kind_of(std::string_view interface) {
 }
 
 /// A number of an annotation that only simulators read.
-std::optional<double> stated(const LinkedModel& model, const Annotation& one,
-                             std::string_view key) {
+std::optional<double> stated_number(const LinkedModel& model, const Annotation& one,
+                                    std::string_view key) {
   const yaml::Document* document = model.document(one.span.source);
   if (document == nullptr) return std::nullopt;
   const yaml::View value = yaml::View(*document, one.node).find(key);
   const auto number = value ? value.number() : std::nullopt;
-  return number && *number >= 0 && is_quantity(*number) ? number : std::nullopt;
+  return number && is_quantity(*number) ? number : std::nullopt;
+}
+
+/// The same if it is not negative.
+std::optional<double> stated(const LinkedModel& model, const Annotation& one,
+                             std::string_view key) {
+  const auto number = stated_number(model, one, key);
+  return number && *number >= 0 ? number : std::nullopt;
 }
 
 class DriveReader {
  public:
-  DriveReader(const LinkedModel& model, const MotorOptions& options)
-      : model_(model), options_(options), drives_(model.robot->joints.size()) {
+  DriveReader(const LinkedModel& model, const MotorOptions& options, FollowerDrives followers)
+      : model_(model),
+        options_(options),
+        followers_(followers),
+        drives_(model.robot->joints.size()) {
     const auto controlled = options.controlled.find(&model);
     if (controlled != options.controlled.end()) controlled_ = &controlled->second;
   }
@@ -59,6 +69,7 @@ class DriveReader {
       for (const auto& [name, one] : *controlled_) drive_of(model_.find_joint(name));
     }
     if (options_.kind != MotorKind::as_written) add_missing();
+    if (followers_ == FollowerDrives::as_written) add_followers(values);
     const std::set<const urdf::Joint*> leaders = leaders_of_others();
     std::vector<JointDrive> found;
     for (std::optional<JointDrive>& drive : drives_) {
@@ -66,15 +77,34 @@ class DriveReader {
       apply_controller(*drive);
       apply_options(*drive);
       drive->has_followers = leaders.contains(drive->joint);
-      found.push_back(std::move(*drive));
+      if (!opposes_leader(*drive)) found.push_back(std::move(*drive));
     }
     return found;
   }
 
  private:
+  /// The motors of joints that follow others.
+  void add_followers(const AnnotationValues& values) {
+    for (const Motor& motor : model_.annotations.motors) {
+      const urdf::Joint* joint = motor.mimic_motor ? nullptr : values.joint_of(motor);
+      if (joint != nullptr && joint->mimic) of_motor(motor, joint);
+    }
+  }
+
+  /// Whether a servo would hold its joint elsewhere than the leader of the joint moves it.
+  bool opposes_leader(const JointDrive& drive) const {
+    if (!drive.joint->mimic || drive.kind == DriveKind::effort || drive.kp || drive.kv)
+      return false;
+    const auto& name = drive.joint->mimic->joint;
+    const urdf::Joint* leader = name ? model_.find_joint(*name) : nullptr;
+    if (leader == nullptr) return false;
+    return drives_[static_cast<std::size_t>(leader - model_.robot->joints.data())].has_value();
+  }
+
   /// Null if the joint is already driven, or cannot be driven.
-  JointDrive* drive_of(const urdf::Joint* joint) {
-    if (joint == nullptr || !joint->has_one_axis() || joint->mimic || !joint->name) return nullptr;
+  JointDrive* drive_of(const urdf::Joint* joint, bool is_follower = false) {
+    if (joint == nullptr || !joint->has_one_axis() || !joint->name) return nullptr;
+    if ((joint->mimic != nullptr) != is_follower) return nullptr;
     const auto at = static_cast<std::size_t>(joint - model_.robot->joints.data());
     if (drives_[at]) return nullptr;
     JointDrive& drive = drives_[at].emplace();
@@ -132,6 +162,7 @@ class DriveReader {
                                                          : DriveKind::position;
     if (controller->kp) drive.kp = controller->kp;
     if (controller->kv) drive.kv = controller->kv;
+    if (controller->kp || controller->kv) drive.has_own_gains = false;
     drive.has_gains_of_controller = controller->kp.has_value();
   }
 
@@ -152,9 +183,13 @@ class DriveReader {
     const std::string& joint = *drive.joint->name;
     if (const auto kp = number_for(options_.kp, joint)) {
       drive.kp = kp;
-      drive.has_gains_of_controller = false;
+      drive.has_gains_of_controller = drive.has_own_gains = false;
     }
-    if (const auto kv = number_for(options_.kv, joint)) drive.kv = kv;
+    if (const auto kv = number_for(options_.kv, joint)) {
+      drive.kv = kv;
+      drive.has_own_gains = false;
+    }
+    if (drive.kind == DriveKind::position && !drive.kp) drive.has_own_gains = false;
     if (const auto armature = number_for(options_.armature, joint)) drive.armature = armature;
   }
 
@@ -173,7 +208,9 @@ class DriveReader {
   }
 
   void of_motor(const Motor& motor, const urdf::Joint* joint) {
-    JointDrive* drive = drive_of(joint);
+    const bool is_follower =
+        followers_ == FollowerDrives::as_written && joint != nullptr && joint->mimic;
+    JointDrive* drive = drive_of(joint, is_follower);
     if (drive == nullptr) return;
     drive->motor = &motor;
     if (motor.name) drive->name = *motor.name;
@@ -182,14 +219,26 @@ class DriveReader {
     if (const auto speed = above_zero(limit_of(motor, LimitValue::velocity))) drive->speed = speed;
     const auto lower = limit_of(motor, LimitValue::lower);
     const auto upper = limit_of(motor, LimitValue::upper);
-    if (lower && upper && *lower < *upper) {
-      drive->lower = lower;
-      drive->upper = upper;
-    }
     drive->gain = above_zero(motor.p.value()).value_or(drive->gain);
     drive->kp = stated(model_, motor, "kp");
     drive->kv = stated(model_, motor, "kv");
     drive->armature = stated(model_, motor, "armature");
+    drive->has_own_gains = drive->kv && (drive->kp || drive->kind == DriveKind::velocity);
+    // A motor that states its law may be commanded beyond the limits of its joint.
+    const bool is_ranged = lower && upper && *lower < *upper;
+    if (is_ranged || drive->has_own_gains) {
+      drive->lower = is_ranged ? lower : std::nullopt;
+      drive->upper = is_ranged ? upper : std::nullopt;
+    }
+    if (drive->effort) drive->least_effort = least_effort_of(motor, *drive);
+  }
+
+  /// None if a motor pushes in both directions equally.
+  std::optional<double> least_effort_of(const Motor& motor, const JointDrive& drive) const {
+    const auto least = stated_number(model_, motor, "minEffort");
+    constexpr double kNone = 1e16;
+    const bool is_used = least && std::fabs(*least) < kNone && *least < *drive.effort;
+    return is_used ? least : std::nullopt;
   }
 
   void of_extensions(std::string_view name, void (DriveReader::*take)(xml::View)) {
@@ -259,6 +308,7 @@ class DriveReader {
 
   const LinkedModel& model_;
   const MotorOptions& options_;
+  FollowerDrives followers_;
   const ControlledJoints* controlled_ = nullptr;   ///< null: no controller commands the model
   std::vector<std::optional<JointDrive>> drives_;  ///< by joint
 };
@@ -272,8 +322,9 @@ std::string origin_of(const ControlledJoint& joint) {
          (has_name ? std::string(folder) + "/" : "") + std::string(path::file_name(joint.file));
 }
 
-std::vector<JointDrive> joint_drives(const LinkedModel& model, const MotorOptions& options) {
-  return model.robot ? DriveReader(model, options).read() : std::vector<JointDrive>();
+std::vector<JointDrive> joint_drives(const LinkedModel& model, const MotorOptions& options,
+                                     FollowerDrives followers) {
+  return model.robot ? DriveReader(model, options, followers).read() : std::vector<JointDrive>();
 }
 
 std::map<std::string_view, double> armatures_of(const LinkedModel& model) {
@@ -366,6 +417,7 @@ DriveGains gains_of(const JointDrive& drive, const JointInertia& inertia, double
   if (!drive.armature && inertia.free < least_inertia) {
     gains.armature = least_inertia - inertia.free;
   }
+  if (drive.has_own_gains) return gains;
   const bool is_of_controller = drive.kind == DriveKind::position && drive.has_gains_of_controller;
   if (is_of_controller) bound(gains, drive, inertia, step);
   const bool is_chosen = drive.kind == DriveKind::position && !drive.kp && !drive.kv;
@@ -419,12 +471,12 @@ std::vector<DrivenFollower> driven_followers(const LinkedModel& model) {
   return followers;
 }
 
-std::vector<const Motor*> idle_motors(const LinkedModel& model) {
+std::vector<const Motor*> idle_motors(const LinkedModel& model, FollowerDrives followers) {
   std::vector<const Motor*> idle;
   if (!model.robot) return idle;
   const AnnotationValues values(model);
   std::set<const Motor*> driving;
-  for (const JointDrive& drive : joint_drives(model)) driving.insert(drive.motor);
+  for (const JointDrive& drive : joint_drives(model, {}, followers)) driving.insert(drive.motor);
   for (const Motor& motor : model.annotations.motors) {
     const bool is_follower = motor.mimic_motor && values.joint_of(motor) != nullptr &&
                              values.leader_of(motor) != nullptr;

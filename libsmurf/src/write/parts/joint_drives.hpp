@@ -25,6 +25,7 @@ struct JointDrive {
   xml::ElementId element = xml::kNoElement;  ///< the extension that defines it; none for a motor
   xml::ElementId command = xml::kNoElement;  ///< its <command_interface>, if it has one
   std::optional<double> effort, speed;       ///< largest value; N m or N, rad/s or m/s; above 0
+  std::optional<double> least_effort;        ///< none: that in the other direction; N m or N
   std::optional<double> lower, upper;        ///< limits of the position, rad or m
   double gain = 0;                           ///< gain of a position, 1/s
   /// That the caller, the motor or the controller asks for.
@@ -32,15 +33,21 @@ struct JointDrive {
   bool has_followers = false;                   ///< other joints mimic it
   const ControlledJoint* controller = nullptr;  ///< that decided about the kind; may be null
   bool has_gains_of_controller = false;         ///< `kp` is that of the controller
+  bool has_own_gains = false;  ///< the motor states its law: `kv`, and `kp` if it has one
 };
 
 /// "as `arm_controller` commands, from config/controllers.yaml": for the result, which does not
 /// name folders of this machine.
 std::string origin_of(const ControlledJoint& joint);
 
-/// One drive per joint, in the order of the model, for joints with one axis that do not mimic
-/// another joint.
-std::vector<JointDrive> joint_drives(const LinkedModel& model, const MotorOptions& options = {});
+/// Whether a joint that mimics another can have a drive: in MuJoCo, which holds the two together
+/// softly, both can push. Then it has that of its motor, unless that is a servo with chosen gains
+/// beside a driven leader, which it would work against.
+enum class FollowerDrives : bool { none, as_written };
+
+/// One drive per joint, in the order of the model, for joints with one axis.
+std::vector<JointDrive> joint_drives(const LinkedModel& model, const MotorOptions& options = {},
+                                     FollowerDrives followers = FollowerDrives::none);
 
 /// The numbers of a motor: its force is kp (command - position) - kv speed, within its effort; that
 /// of an effort is the command. N m/rad and N m s/rad, or N/m and N s/m.
@@ -54,7 +61,8 @@ struct DriveGains {
 /// use their full effort at a difference of a tenth of the largest speed.
 DriveGains gains_of(const JointDrive& drive);
 /// The same, stable in steps of this length and of twice it, in a simulator that integrates the
-/// damping of joints implicitly, and the force of a motor explicitly while it is at its limit.
+/// damping of joints implicitly, and the force of a motor explicitly while it is at its limit. A
+/// motor that states its law keeps it.
 DriveGains gains_of(const JointDrive& drive, const JointInertia& inertia, double step);
 
 /// By joint: the armatures that joints have in annotations, without those of motors; kg m^2 or kg.
@@ -71,6 +79,6 @@ struct DrivenFollower {
 std::vector<DrivenFollower> driven_followers(const LinkedModel& model);
 
 /// Motors that move no joint, either directly or by following another motor.
-std::vector<const Motor*> idle_motors(const LinkedModel& model);
+std::vector<const Motor*> idle_motors(const LinkedModel& model, FollowerDrives followers);
 
 }  // namespace smurf
