@@ -41,7 +41,7 @@ class Unsaid {
 
   /// "SMURF has no X, so 3 joints lose A and B"; `part`: with its article.
   void report(std::string_view why, std::string_view part, std::string_view parts,
-              Reporter& reporter) const {
+              Reporter& reporter, Severity severity = Severity::warning) const {
     if (names_.empty()) return;
     std::vector<std::string> words;
     for (const std::string_view name : names_)
@@ -49,10 +49,10 @@ class Unsaid {
     const std::string who = count_ == 1
                                 ? std::string(part) + " loses "
                                 : std::to_string(count_) + " " + std::string(parts) + " lose ";
-    reporter
-        .report(rules::sml9304_lost_in_urdf, place_,
-                std::string(why) + ", so " + who + enumerated(words))
-        .help("keep the MJCF for them");
+    Diagnostic& lost = reporter.report(rules::sml9304_lost_in_urdf, place_,
+                                       std::string(why) + ", so " + who + enumerated(words));
+    lost.help("keep the MJCF for them");
+    lost.severity = severity;
   }
 
  private:
@@ -144,7 +144,9 @@ void poses(const Model& model, Reporter& reporter) {
       unsaid.add(Settings(body.element, nullptr),
                  {"pos", "quat", "euler", "axisangle", "xyaxes", "zaxis"});
   }
-  unsaid.report("a URDF does not say where a body begins to float", "a body", "bodies", reporter);
+  // Most floating robots begin above the ground: the program that loads one says where.
+  unsaid.report("a URDF does not say where a body begins to float", "a body", "bodies", reporter,
+                Severity::info);
 }
 
 }  // namespace

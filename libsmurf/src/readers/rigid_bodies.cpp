@@ -98,7 +98,7 @@ struct Sums {
   Eigen::Vector3d first = Eigen::Vector3d::Zero();    // m c
   Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();  // about the origin
   int count = 0;                                      // of inertials
-  bool is_moved = false;  // one of them is of a link that another one carries
+  bool is_moved = false;  // one was moved to another link, with rounding
 
   Eigen::Matrix3d about_center() const { return moments - of_point(mass, first / mass); }
 };
@@ -117,7 +117,9 @@ void add(const LinkedModel& model, const urdf::Inertial& inertial, const Pose& X
   sums.first += mass * center;
   sums.moments += of_point(mass, center);
   ++sums.count;
-  if (is_carried) sums.is_moved = true;
+  // A move along one axis, without a rotation, is undone without rounding.
+  const bool is_exact = R.isIdentity(0) && (center.array() != 0).count() <= 1;
+  if (is_carried && !is_exact) sums.is_moved = true;
   if (has_unread_inertia(model, inertial)) return;
   Eigen::Matrix3d tensor;
   tensor << inertial.ixx.value_or(0), xy, xz,  //
