@@ -54,8 +54,9 @@ constexpr Cell kStableGains = added(
     "a damping of 10 times the largest effort divided by the largest speed, 100 without "
     "these limits, and for positions a stiffness of `p` times that, 20 times without `p`; where this "
     "damping is too fast for the inertia and the step, the rest of it is that of the joint, at most "
-    "the largest effort divided by the largest speed, or a motor of speeds has an armature; --kp, "
-    "--kv, --armature and --actuator choose others");
+    "the largest effort divided by the largest speed, or a motor of speeds has an armature; "
+    "a motor that states both `kp` and `kv` keeps them; --kp, --kv, --armature and --actuator choose "
+    "others");
 constexpr Cell kBoundedServo = added(
     "other ones where a motor with these is not stable at the step, swings, does not hold the "
     "weight, or does not arrive in 2 s; --kp and --kv choose others");
