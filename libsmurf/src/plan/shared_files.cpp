@@ -28,7 +28,7 @@ bool defines_name(std::string_view text, std::string_view tag, std::string_view 
   const std::string begin = "<" + std::string(tag);
   for (std::size_t at = text.find(begin); at != std::string_view::npos;
        at = text.find(begin, at + 1)) {
-    const std::size_t end = text.find('>', at);
+    const std::size_t end = text.find_first_of("<>", at + 1);  // each byte is read once
     const std::string_view inner = text.substr(at, end == std::string_view::npos ? end : end - at);
     if (inner.size() <= begin.size() || !is_blank(inner[begin.size()])) continue;
     for (const char quote : {'"', '\''}) {

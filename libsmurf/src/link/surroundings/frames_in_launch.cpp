@@ -38,16 +38,21 @@ class Frames {
   }
 
  private:
-  /// Frames that options name, also where other arguments are not known.
+  /// Frames that options name, also where other arguments are not known. The last one of a name
+  /// counts.
   void options(const LaunchNode& node) {
+    const bool is_rviz = is_one_of(node.executable.text, {"rviz2", "rviz"});
+    std::map<Use, std::pair<std::string_view, const LaunchText*>> last;
     for (std::size_t i = 0; i + 1 < node.arguments.size(); ++i) {
       const std::string_view option = node.arguments[i].text;
-      const LaunchText& value = node.arguments[i + 1];
-      if (option == "--frame-id") add(value, Use::parent, option);
-      if (option == "--child-frame-id") add(value, Use::child, option);
-      const bool is_rviz = is_one_of(node.executable.text, {"rviz2", "rviz"});
-      if (is_rviz && is_one_of(option, {"-f", "--fixed-frame"})) add(value, Use::other, option);
+      const std::pair named{option, &node.arguments[i + 1]};
+      if (option == "--frame-id") last.insert_or_assign(Use::parent, named);
+      if (option == "--child-frame-id") last.insert_or_assign(Use::child, named);
+      if (is_rviz && is_one_of(option, {"-f", "--fixed-frame"})) {
+        last.insert_or_assign(Use::other, named);
+      }
     }
+    for (const auto& [use, named] : last) add(*named.second, use, named.first);
   }
 
   void add(const LaunchText& text, Use use, std::string_view key) {
